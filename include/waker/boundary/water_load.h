@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_boundary_water_load_h
+#define waker_boundary_water_load_h
+
+#include <waker/boundary/surface.h>
+#include <waker/grid/background_grid.h>
+#include <waker/nodes/nodal_vector.h>
+
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace Waker
+{
+  /// Section "Water".
+  struct WaterParameters
+  {
+    /// "none", "left" or "right": on which side the water stands.
+    std::string side = "none";
+    /// Level (m) on the vertical axis.
+    double level = 0.;
+    /// Unit weight (kN/m^3).
+    double unit_weight = 10.;
+    /// A node carries load only if its mass is at least this share of the mass
+    /// of a node inside the body.
+    double minimum_support = 0.05;
+
+    void
+    add_parameters(ParameterHandler &prm);
+  };
+
+  /// A straight piece of the wetted surface, as loaded.
+  struct LoadedSegment
+  {
+    Point<2>     from;   // m
+    Point<2>     to;     // m
+    Tensor<1, 2> normal; // out of the body
+  };
+
+  /// What the water does to the body, for checks and output.
+  struct WaterResultant
+  {
+    Tensor<1, 2> force;  // kN (per m)
+    double       moment; // kNm (per m), about the origin, anticlockwise
+  };
+
+  /**
+   * Hydrostatic pressure on the outer slope: from the outer toe of the largest
+   * body along its surface up to where it first rises above the water level,
+   * the last segment clipped there (section 5.2.2 of Remmerswaal 2023).
+   *
+   * The pressure is integrated with Gauss points on segments clipped at cell
+   * faces, with linear functions also under GIMP (eq. 3.4). A node that a
+   * support domain has hardly touched would be thrown away by its share, so
+   * the share of a node with less mass than `minimum_support` goes to supported
+   * nodes of the body, with weights that reproduce linear functions: resultant
+   * and moment are kept.
+   */
+  template <int dim>
+  class WaterLoad
+  {
+  public:
+    WaterLoad(const BackgroundGrid<dim> &grid,
+              const WaterParameters &    parameters);
+
+    /// The wetted part of the surface, from the toe up. Empty without water.
+    void
+    find_wetted_segments(const Surface &surface);
+
+    const std::vector<LoadedSegment> &
+    wetted_segments() const
+    {
+      return wetted;
+    }
+
+    /**
+     * Add the nodal forces of the wetted segments to `force` (kN).
+     *
+     * @param node_mass mass of each node (Mg), n_nodes long
+     * @param full_node_mass mass of a node inside the body (Mg)
+     */
+    void
+    add_nodal_forces(const std::vector<double> &node_mass,
+                     const double               full_node_mass,
+                     NodalVector &              force);
+
+    /// Exact resultant of the pressure on the wetted segments.
+    WaterResultant
+    resultant() const;
+
+  private:
+    const BackgroundGrid<dim> *grid;
+    WaterParameters            parameters;
+    std::vector<LoadedSegment> wetted;
+  };
+} // namespace Waker
+
+#endif

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_grid_background_grid_h
+#define waker_grid_background_grid_h
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/point.h>
+
+#include <array>
+#include <memory>
+
+namespace dealii
+{
+  template <int dim, int spacedim>
+  class DoFHandler;
+}
+
+namespace Waker
+{
+  using namespace dealii;
+
+  /**
+   * The uniform background grid: cubic cells of one size on a deal.II
+   * triangulation with vector-valued Q1 elements.
+   *
+   * The box [lower, upper] that the user gives is surrounded by a margin of
+   * one layer of cells, so that the support domain of a point near a fixed
+   * base or a wall keeps its partition of unity.
+   *
+   * Nodes are numbered lexicographically (x runs fastest), margin included,
+   * and the degrees of freedom are renumbered to match: component c of node i
+   * is dof `dim * i + c`. Every look-up is therefore arithmetic, O(1).
+   */
+  template <int dim>
+  class BackgroundGrid
+  {
+  public:
+    using Index = std::array<int, dim>;
+
+    static constexpr unsigned int margin = 1;
+
+    /**
+     * @param lower, upper corners of the box (m); upper - lower must be a
+     *        multiple of the cell size in each direction
+     * @param cell_size h (m)
+     * @param communicator of this realisation; one rank for now
+     * @throws UserError (Grid/...) if the box is empty or not a multiple of h
+     */
+    BackgroundGrid(const Point<dim> &lower,
+                   const Point<dim> &upper,
+                   const double      cell_size,
+                   const MPI_Comm    communicator);
+
+    ~BackgroundGrid();
+
+    double
+    cell_size() const
+    {
+      return h;
+    }
+
+    /// 1 / h, for hot loops.
+    double
+    inverse_cell_size() const
+    {
+      return inverse_h;
+    }
+
+    /// Corners of the user's box, without the margin (m).
+    const Point<dim> &
+    lower_corner() const
+    {
+      return lower;
+    }
+
+    const Point<dim> &
+    upper_corner() const
+    {
+      return upper;
+    }
+
+    /// Position of node 0, the outermost corner of the margin (m).
+    const Point<dim> &
+    origin() const
+    {
+      return node_origin;
+    }
+
+    /// Number of nodes in each direction, margin included.
+    const std::array<unsigned int, dim> &
+    n_nodes_per_direction() const
+    {
+      return n_nodes_1d;
+    }
+
+    unsigned int
+    n_nodes() const
+    {
+      return n_nodes_total;
+    }
+
+    unsigned int
+    n_dofs() const
+    {
+      return dim * n_nodes_total;
+    }
+
+    unsigned int
+    n_cells() const
+    {
+      return n_cells_total;
+    }
+
+    /// Distance in node numbers between neighbours in direction d.
+    unsigned int
+    stride(const unsigned int d) const
+    {
+      return strides[d];
+    }
+
+    unsigned int
+    node(const Index &index) const
+    {
+      unsigned int n = 0;
+      for (unsigned int d = 0; d < dim; ++d)
+        n += strides[d] * index[d];
+      return n;
+    }
+
+    Index
+    node_index(const unsigned int node) const
+    {
+      Index        index;
+      unsigned int rest = node;
+      for (int d = dim - 1; d >= 0; --d)
+        {
+          index[d] = rest / strides[d];
+          rest -= index[d] * strides[d];
+        }
+      return index;
+    }
+
+    Point<dim>
+    node_position(const unsigned int node) const
+    {
+      const Index index = node_index(node);
+      Point<dim>  x     = node_origin;
+      for (unsigned int d = 0; d < dim; ++d)
+        x[d] += h * index[d];
+      return x;
+    }
+
+    /// Lattice index of the cell that holds x; a cell has the index of its
+    /// lower left node. Not checked against the grid's extent.
+    Index
+    cell_index(const Point<dim> &x) const;
+
+    /// Is x, with `clearance` (m) on all sides, inside grid and margin?
+    bool
+    contains(const Point<dim> &x, const double clearance = 0.) const;
+
+    /// The deal.II objects, for output and for future parallel partitions.
+    const DoFHandler<dim, dim> &
+    dof_handler() const;
+
+    MPI_Comm
+    communicator() const
+    {
+      return mpi_communicator;
+    }
+
+  private:
+    Point<dim>                    lower;
+    Point<dim>                    upper;
+    Point<dim>                    node_origin;
+    double                        h;
+    double                        inverse_h;
+    std::array<unsigned int, dim> n_nodes_1d;
+    std::array<unsigned int, dim> strides;
+    unsigned int                  n_nodes_total;
+    unsigned int                  n_cells_total;
+    MPI_Comm                      mpi_communicator;
+
+    struct DealII;
+    std::unique_ptr<DealII> deal_ii;
+  };
+} // namespace Waker
+
+#endif

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_materials_material_h
+#define waker_materials_material_h
+
+#include <deal.II/base/symmetric_tensor.h>
+
+#include <string>
+#include <vector>
+
+namespace Waker
+{
+  using namespace dealii;
+
+  /// A scalar that a material keeps for each point.
+  struct MaterialVariable
+  {
+    std::string name;          // "plastic strain"
+    std::string unit;          // "-", "kPa", ...
+    double      initial_value; // of every point at the start
+    bool        is_constant;   // a property (strength), not history
+  };
+
+  /**
+   * A constitutive law, always in 3D stress: plane strain is a strain with
+   * zero out-of-plane components. Stress is Cauchy, in kPa, tension positive.
+   *
+   * Laws are incremental: the stress at the end of a step follows from the
+   * stress at its start (already turned with the body, see
+   * mapping/kinematics.h) and the strain increment. They are evaluated from
+   * the start of the step in every iteration and keep no state of their own:
+   * everything that belongs to a point stands in its variables.
+   */
+  class Material
+  {
+  public:
+    virtual ~Material() = default;
+
+    /// What the material keeps for each point, in the order of `variables`
+    /// below. The same name in two materials means the same thing.
+    virtual std::vector<MaterialVariable>
+    variables() const = 0;
+
+    /**
+     * The stress after a strain increment.
+     *
+     * @param strain_increment of the step, 3x3 (-)
+     * @param stress in: at the start of the step, turned; out: at its end (kPa)
+     * @param variables one number per entry of variables(); in: at the start
+     *        of the step; out: at its end
+     * @param tangent if not null: the algorithmic tangent, d stress_out /
+     *        d strain_increment (kPa)
+     * @return the plastic dissipation of the step per volume (kPa), >= 0
+     */
+    virtual double
+    update(const SymmetricTensor<2, 3> &strain_increment,
+           SymmetricTensor<2, 3> &      stress,
+           double *                     variables,
+           SymmetricTensor<4, 3> *      tangent) const = 0;
+
+    /// Mass density (Mg/m^3).
+    virtual double
+    density() const = 0;
+
+    /// Elastic shear and bulk moduli (kPa): wave speed, stable step, energy.
+    virtual double
+    shear_modulus() const = 0;
+
+    virtual double
+    bulk_modulus() const = 0;
+
+    /// The law with yielding off (the gravity step). By default the same law
+    /// is used; a plastic law overrides it.
+    virtual void
+    update_elastic(const SymmetricTensor<2, 3> &strain_increment,
+                   SymmetricTensor<2, 3> &      stress) const;
+  };
+} // namespace Waker
+
+#endif

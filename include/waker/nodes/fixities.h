@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_nodes_fixities_h
+#define waker_nodes_fixities_h
+
+#include <waker/grid/background_grid.h>
+
+#include <string>
+#include <vector>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace Waker
+{
+  /**
+   * One boundary condition as the user writes it: a set of nodes, the
+   * components it holds, and how. Subsection "Boundary conditions/<name>".
+   */
+  struct FixityParameters
+  {
+    std::string name; // of the subsection
+
+    /// "left", "right", "bottom", "top", "back", "front" (faces of the grid's
+    /// box; y is vertical) or "box". A face also holds the margin beyond it.
+    std::string region = "bottom";
+    /// Limits the region: nodes outside [from, to] are left free. For "box"
+    /// it is the region. Empty: no limit.
+    std::vector<double> from;
+    std::vector<double> to;
+    /// "fixed": all components; "roller": the one normal to the face;
+    /// "prescribed": the components and displacements below.
+    std::string type = "fixed";
+    /// For "prescribed": per component an expression of x, y, z, t (m), or
+    /// "free". For example "0.1*t; free".
+    std::string displacement;
+    /// "elimination" removes the equations, "penalty" adds a stiff spring.
+    std::string method = "elimination";
+    /// Spring stiffness of a node, as a multiple of (K + 4G/3) h^(dim-2)
+    /// (kPa m^(dim-2)).
+    double penalty_factor = 1e4;
+
+    void
+    add_parameters(ParameterHandler &prm);
+
+    /// @throws UserError with path "Boundary conditions/<name>/..."
+    void
+    check(const unsigned int dim) const;
+  };
+
+  /**
+   * All fixities of the grid, ready for the time loop.
+   *
+   * Displacements are total displacements since t = 0; a step from t to t + dt
+   * prescribes the increment u(t + dt) - u(t).
+   */
+  template <int dim>
+  class Fixities
+  {
+  public:
+    /// @throws UserError if a region holds no node or an expression is wrong
+    Fixities(const BackgroundGrid<dim> &          grid,
+             const std::vector<FixityParameters> &parameters);
+
+    ~Fixities();
+    Fixities(Fixities &&);
+
+    /// Is the equation of this dof removed? One byte per dof: 1 = removed.
+    const std::vector<unsigned char> &
+    removed() const
+    {
+      return removed_dofs;
+    }
+
+    /// The removed dofs, ascending.
+    const std::vector<unsigned int> &
+    removed_list() const
+    {
+      return removed_dof_list;
+    }
+
+    struct Penalty
+    {
+      unsigned int dof;
+      double       factor;
+    };
+
+    /// Dofs held by penalty springs.
+    const std::vector<Penalty> &
+    penalties() const
+    {
+      return penalty_dofs;
+    }
+
+    /// Does anything move, that is, is an increment ever non-zero?
+    bool
+    has_prescribed_motion() const
+    {
+      return moves;
+    }
+
+    /// Increments u(t + dt) - u(t) of the removed dofs (in the order of
+    /// removed_list()), m. All zero, and cheap, where nothing moves.
+    void
+    removed_increments(const double         t,
+                       const double         dt,
+                       std::vector<double> &increments) const;
+
+    /// The same for the penalty dofs, in the order of penalties().
+    void
+    penalty_increments(const double         t,
+                       const double         dt,
+                       std::vector<double> &increments) const;
+
+    /// Faces whose nodes are all fixed or on rollers in the normal direction:
+    /// bit 2d for the lower, 2d + 1 for the upper face in direction d. The
+    /// proximity field is mirrored there.
+    unsigned int
+    closed_faces() const
+    {
+      return closed_face_bits;
+    }
+
+  private:
+    struct Motion;
+
+    std::vector<unsigned char> removed_dofs;
+    std::vector<unsigned int>  removed_dof_list;
+    std::vector<Penalty>       penalty_dofs;
+    bool                       moves            = false;
+    unsigned int               closed_face_bits = 0;
+    std::unique_ptr<Motion>    motion;
+  };
+} // namespace Waker
+
+#endif

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_particles_soil_profile_h
+#define waker_particles_soil_profile_h
+
+#include <waker/grid/background_grid.h>
+#include <waker/particles/material_points.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace Waker
+{
+  /// A layer as the user writes it: subsection "Soil profile/<name>".
+  struct LayerParameters
+  {
+    std::string name;     // of the subsection
+    std::string material; // a name of "Materials/Names"
+    /// Corners x, y (m) of a simple polygon, "x1, y1; x2, y2; ...", in either
+    /// orientation. In 3D it is extruded along z.
+    std::string polygon;
+    /// 3D: from z0 to z1 (m); empty: over the whole grid.
+    std::vector<double> extent;
+    /// Initial velocity (m/s), empty: at rest.
+    std::vector<double> velocity;
+
+    void
+    add_parameters(ParameterHandler &prm);
+
+    /// Corners of the polygon, anticlockwise.
+    /// @throws UserError "Soil profile/<name>/Polygon": fewer than 3 corners,
+    /// not numbers, self-crossing, zero area
+    std::vector<std::array<double, 2>>
+    corners() const;
+  };
+
+  /// Section "Material points".
+  struct MaterialPointParameters
+  {
+    /// Points per cell and direction.
+    unsigned int points_per_direction = 2;
+    /// A sub-cell of which a slope leaves less than this share is given to its
+    /// neighbour: its volume is kept, its point is not made.
+    double minimum_cut = 0.25;
+
+    void
+    add_parameters(ParameterHandler &prm);
+  };
+
+  /**
+   * Make the material points of a soil profile: a regular lattice of
+   * `points_per_direction` per cell, one support domain (sub-cell) each. A
+   * sub-cell that a layer's edge cuts keeps the part inside: its point moves
+   * to the centroid of that part and gets its volume.
+   *
+   * Ids count from 0 in the order of creation (cells lexicographically, x
+   * fastest), which also keeps neighbours close in memory. `mass`, `velocity`
+   * and `material` are set; stress, acceleration and scalars are zero, empty.
+   *
+   * @param densities mass density of each material (Mg/m^3), by number
+   * @param material_names to find a layer's material
+   * @throws UserError: no point at all, a polygon outside the grid, layers
+   * that overlap, an unknown material
+   */
+  template <int dim>
+  MaterialPoints<dim>
+  make_material_points(const BackgroundGrid<dim> &         grid,
+                       const std::vector<LayerParameters> &layers,
+                       const MaterialPointParameters &     parameters,
+                       const std::vector<std::string> &    material_names,
+                       const std::vector<double> &         densities);
+
+  /// Volume of the layers (area x extent), m^dim: what the points must have.
+  template <int dim>
+  double
+  profile_volume(const BackgroundGrid<dim> &         grid,
+                 const std::vector<LayerParameters> &layers);
+} // namespace Waker
+
+#endif
