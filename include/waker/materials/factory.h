@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_materials_factory_h
+#define waker_materials_factory_h
+
+#include <waker/materials/material.h>
+
+#include <memory>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace Waker
+{
+  /// A material as the user writes it: subsection "Materials/<name>".
+  struct MaterialParameters
+  {
+    std::string name; // of the subsection
+
+    /// "linear elastic" or "von Mises softening".
+    std::string model            = "von Mises softening";
+    double      unit_weight      = 15.;    // kN/m^3
+    double      youngs_modulus   = 1000.;  // kPa
+    double      poissons_ratio   = 0.45;   // -
+    double      initial_strength  = 13.;   // c_i, kPa
+    double      residual_strength = 5.;    // c_r, kPa
+    double      softening_modulus = -50.;  // H_s = dc / d(plastic strain), kPa
+    /// Which invariant softens: "equivalent" sqrt(2/3 e:e) or "half"
+    /// sqrt(1/2 e:e) (see numerics: the thesis does not print it).
+    std::string plastic_strain_invariant = "equivalent";
+
+    void
+    add_parameters(ParameterHandler &prm);
+
+    /// @throws UserError "Materials/<name>/..."
+    void
+    check() const;
+  };
+
+  /// @param gravity acceleration (m/s^2) that turns unit weight into density
+  std::unique_ptr<Material>
+  make_material(const MaterialParameters &parameters, const double gravity);
+} // namespace Waker
+
+#endif

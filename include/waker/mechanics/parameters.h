@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_mechanics_parameters_h
+#define waker_mechanics_parameters_h
+
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace Waker
+{
+  /// Section "Time stepping".
+  struct TimeParameters
+  {
+    std::string scheme    = "Newmark"; // or "explicit"
+    double      time_step = 0.01;      // s (Newmark)
+    double      end_time  = 40.;       // s
+    /// The unbalanced force grows from 0 to full over this time (s); 0: off.
+    double ramp_duration = 1.;
+    /// A step that does not converge is halved at most this often.
+    unsigned int maximum_halvings = 6;
+    /// Explicit: time step as a share of h / (c_p + |v|).
+    double courant_number = 0.5;
+
+    void
+    add_parameters(ParameterHandler &prm);
+    void
+    check() const;
+  };
+
+  /// Section "Newton".
+  struct NewtonParameters
+  {
+    std::string tangent = "consistent"; // or "double mapping"
+    /// Converged when the mass-weighted norm of the residual is below this
+    /// share of the external force's (see mechanics/newton.h).
+    double       tolerance          = 1e-3;
+    unsigned int maximum_iterations = 20;
+    /// Relative accuracy of the linear solves (inexact Newton).
+    double       linear_tolerance          = 1e-2;
+    unsigned int maximum_linear_iterations = 500;
+    /// Start from v dt + a dt^2 / 2 instead of 0.
+    bool predictor = true;
+
+    void
+    add_parameters(ParameterHandler &prm);
+    void
+    check() const;
+  };
+
+  /// Section "Gravity".
+  struct GravityParameters
+  {
+    double acceleration = 9.81; // m/s^2, along -y
+    /// Set up the in-situ stress by an elastic, quasi-static step with the
+    /// points fixed in place, under weight and water.
+    bool   initial_stress = true;
+    double tolerance      = 1e-8; // of that step's residual
+
+    void
+    add_parameters(ParameterHandler &prm);
+    void
+    check() const;
+  };
+
+  /// Section "Kinematics and mapping".
+  struct MappingParameters
+  {
+    std::string functions = "GIMP"; // or "linear"
+    /// Strain at mid-step, stress turned with the body (Hughes & Winget
+    /// 1980); off: small strain, no rotation.
+    bool objective_rate = true;
+
+    void
+    add_parameters(ParameterHandler &prm);
+  };
+} // namespace Waker
+
+#endif

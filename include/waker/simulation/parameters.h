@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_simulation_parameters_h
+#define waker_simulation_parameters_h
+
+#include <waker/boundary/proximity_field.h>
+#include <waker/boundary/water_load.h>
+#include <waker/control/parameters.h>
+#include <waker/materials/factory.h>
+#include <waker/mechanics/parameters.h>
+#include <waker/nodes/fixities.h>
+#include <waker/output/parameters.h>
+#include <waker/particles/soil_profile.h>
+
+#include <string>
+#include <vector>
+
+namespace Waker
+{
+  /// Section "Grid".
+  struct GridParameters
+  {
+    std::vector<double> lower_corner = {-6., 0.}; // m
+    std::vector<double> upper_corner = {42., 6.}; // m
+    double              cell_size    = 0.25;      // m
+
+    void
+    add_parameters(ParameterHandler &prm);
+  };
+
+  /// Section "Strength reduction".
+  struct StrengthReductionParameters
+  {
+    double lower_factor = 0.5;  // known or hoped to be stable
+    double upper_factor = 3.;   // known or hoped to fail
+    double tolerance    = 0.01; // width of the final bracket
+
+    void
+    add_parameters(ParameterHandler &prm);
+    void
+    check() const;
+  };
+
+  /**
+   * Everything that a .prm file says, in plain structs. Made by
+   * `program/`; the struct must not move after its entries are declared.
+   */
+  struct Parameters
+  {
+    unsigned int                  dimension = 2;
+    GridParameters                grid;
+    MaterialPointParameters       points;
+    std::vector<MaterialParameters> materials;
+    std::vector<LayerParameters>    layers;
+    std::vector<FixityParameters>   fixities;
+    GravityParameters             gravity;
+    WaterParameters               water;
+    SurfaceParameters             surface;
+    MappingParameters             mapping;
+    TimeParameters                time;
+    NewtonParameters              newton;
+    InitialFailureParameters      initial_failure;
+    StopParameters                stop;
+    StrengthReductionParameters   strength_reduction;
+    OutputParameters              output;
+
+    /// The .prm text of all values used, and its hash: they go with every
+    /// output. Set by the reader; `hash` leaves "Output" and "Stop rules" and
+    /// the end time out: a run may be resumed with other values of those.
+    std::string text;
+    std::string hash;
+  };
+} // namespace Waker
+
+#endif
