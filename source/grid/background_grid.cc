@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/dofs/dof_tools.h>
+
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_system.h>
+
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/tria.h>
+
+#include <waker/base/errors.h>
+#include <waker/grid/background_grid.h>
+
+#include <cmath>
+#include <string>
+
+namespace Waker
+{
+  template <int dim>
+  struct BackgroundGrid<dim>::DealII
+  {
+    DealII()
+      : fe(FE_Q<dim>(1), dim)
+      , dof_handler(triangulation)
+    {}
+
+    Triangulation<dim> triangulation;
+    FESystem<dim>      fe;
+    DoFHandler<dim>    dof_handler;
+  };
+
+
+  namespace
+  {
+    /// Number of cells of size h between a and b.
+    unsigned int
+    count_cells(const double a, const double b, const double h)
+    {
+      if (!(h > 0.))
+        throw UserError("Grid/Cell size",
+                        "is " + std::to_string(h) + " m",
+                        "a positive length");
+      const double n = std::round((b - a) / h);
+      if (!(n >= 1.))
+        throw UserError("Grid/Upper corner",
+                        "the box has no cells: it reaches from " +
+                          std::to_string(a) + " to " + std::to_string(b) +
+                          " m with cells of " + std::to_string(h) + " m",
+                        "an upper corner above the lower one in each direction");
+      if (std::abs(b - a - n * h) > 1e-6 * h)
+        throw UserError("Grid/Upper corner",
+                        "the box from " + std::to_string(a) + " to " +
+                          std::to_string(b) + " m is no multiple of the " +
+                          "cell size " + std::to_string(h) + " m",
+                        "an upper corner at a whole number of cells");
+      return static_cast<unsigned int>(n);
+    }
+  } // namespace
+
+
+  template <int dim>
+  BackgroundGrid<dim>::BackgroundGrid(const Point<dim> &lower,
+                                      const Point<dim> &upper,
+                                      const double      cell_size,
+                                      const MPI_Comm    communicator)
+    : lower(lower)
+    , upper(upper)
+    , h(cell_size)
+    , inverse_h(1. / cell_size)
+    , n_nodes_total(1)
+    , n_cells_total(1)
+    , mpi_communicator(communicator)
+    , deal_ii(std::make_unique<DealII>())
+  {
+    std::vector<unsigned int> n_cells(dim);
+    Point<dim>                outer_upper;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        n_cells[d]     = count_cells(lower[d], upper[d], h) + 2 * margin;
+        n_nodes_1d[d]  = n_cells[d] + 1;
+        strides[d]     = n_nodes_total;
+        n_nodes_total *= n_nodes_1d[d];
+        n_cells_total *= n_cells[d];
+        node_origin[d] = lower[d] - margin * h;
+        outer_upper[d] = node_origin[d] + n_cells[d] * h;
+      }
+
+    GridGenerator::subdivided_hyper_rectangle(deal_ii->triangulation,
+                                              n_cells,
+                                              node_origin,
+                                              outer_upper);
+    DoFHandler<dim> &dof_handler = deal_ii->dof_handler;
+    dof_handler.distribute_dofs(deal_ii->fe);
+
+    // From deal.II's numbering to the lattice's.
+    std::vector<types::global_dof_index> renumbering(dof_handler.n_dofs());
+    std::vector<types::global_dof_index> cell_dofs(
+      deal_ii->fe.n_dofs_per_cell());
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      {
+        cell->get_dof_indices(cell_dofs);
+        for (unsigned int i = 0; i < cell_dofs.size(); ++i)
+          {
+            const auto       component = deal_ii->fe.system_to_component_index(i);
+            const Point<dim> x         = cell->vertex(component.second);
+            Index            index;
+            for (unsigned int d = 0; d < dim; ++d)
+              index[d] =
+                static_cast<int>(std::lround((x[d] - node_origin[d]) / h));
+            renumbering[cell_dofs[i]] = dim * node(index) + component.first;
+          }
+      }
+    dof_handler.renumber_dofs(renumbering);
+  }
+
+
+  template <int dim>
+  BackgroundGrid<dim>::~BackgroundGrid() = default;
+
+
+  template <int dim>
+  typename BackgroundGrid<dim>::Index
+  BackgroundGrid<dim>::cell_index(const Point<dim> &x) const
+  {
+    Index index;
+    for (unsigned int d = 0; d < dim; ++d)
+      index[d] =
+        static_cast<int>(std::floor((x[d] - node_origin[d]) * inverse_h));
+    return index;
+  }
+
+
+  template <int dim>
+  bool
+  BackgroundGrid<dim>::contains(const Point<dim> &x,
+                                const double      clearance) const
+  {
+    for (unsigned int d = 0; d < dim; ++d)
+      if (!(x[d] - clearance >= node_origin[d] &&
+            x[d] + clearance <= node_origin[d] + h * (n_nodes_1d[d] - 1)))
+        return false;
+    return true;
+  }
+
+
+  template <int dim>
+  const DoFHandler<dim, dim> &
+  BackgroundGrid<dim>::dof_handler() const
+  {
+    return deal_ii->dof_handler;
+  }
+
+
+  template class BackgroundGrid<2>;
+  template class BackgroundGrid<3>;
+} // namespace Waker
