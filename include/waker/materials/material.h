@@ -26,7 +26,7 @@ namespace Waker
    *
    * Laws are incremental: the stress at the end of a step follows from the
    * stress at its start (already turned with the body, see
-   * mapping/kinematics.h) and the strain increment. They are evaluated from
+   * mechanics/kinematics.h) and the strain increment. They are evaluated from
    * the start of the step in every iteration and keep no state of their own:
    * everything that belongs to a point stands in its variables.
    */

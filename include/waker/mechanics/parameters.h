@@ -11,6 +11,8 @@ namespace dealii
 
 namespace Waker
 {
+  using namespace dealii;
+
   /// Section "Time stepping".
   struct TimeParameters
   {
@@ -26,6 +28,7 @@ namespace Waker
 
     void
     add_parameters(ParameterHandler &prm);
+    /// @throws UserError "Time stepping/..."
     void
     check() const;
   };
@@ -46,6 +49,7 @@ namespace Waker
 
     void
     add_parameters(ParameterHandler &prm);
+    /// @throws UserError "Newton/..."
     void
     check() const;
   };
@@ -53,14 +57,23 @@ namespace Waker
   /// Section "Gravity".
   struct GravityParameters
   {
-    double acceleration = 9.81; // m/s^2, along -y
+    double acceleration = 9.81; // m/s^2, along -y; 0: no weight
     /// Set up the in-situ stress by an elastic, quasi-static step with the
     /// points fixed in place, under weight and water.
     bool   initial_stress = true;
     double tolerance      = 1e-8; // of that step's residual
 
+    /// The acceleration (m/s^2) that turns unit weight into density: a case
+    /// without weight (a vibrating bar) has its mass all the same.
+    double
+    density_acceleration() const
+    {
+      return acceleration > 0. ? acceleration : 9.81;
+    }
+
     void
     add_parameters(ParameterHandler &prm);
+    /// @throws UserError "Gravity/..."
     void
     check() const;
   };

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_materials_von_mises_softening_h
+#define waker_materials_von_mises_softening_h
+
+#include <waker/materials/linear_elastic.h>
+
+namespace Waker
+{
+  /**
+   * Undrained clay: linear elastic, von Mises yield f = q - sqrt(3) c with
+   * q = sqrt(3/2 s:s), and an undrained shear strength c that falls linearly
+   * with the plastic strain to its residual value (section 5.2 and fig. 5.3 of
+   * Remmerswaal 2023, after Wang et al. 2016):
+   *   c = max(c_r, c_i + H_s eps_p),  H_s <= 0.
+   *
+   * The return is radial and in closed form, the tangent is the algorithmic
+   * one. In softening it is indefinite. It needs 3 G + sqrt(3) H_s > 0.
+   */
+  class VonMisesSoftening : public LinearElastic
+  {
+  public:
+    /// Which invariant of the plastic strain softens: sqrt(2/3 e:e), the
+    /// equivalent plastic strain, or sqrt(1/2 e:e), 0.866 times as much.
+    enum class Invariant
+    {
+      equivalent,
+      half
+    };
+
+    /// @param initial_strength, residual_strength, softening_modulus in kPa;
+    /// the strengths are the points' default, each point has its own
+    VonMisesSoftening(const double    density,
+                      const double    youngs_modulus,
+                      const double    poissons_ratio,
+                      const double    initial_strength,
+                      const double    residual_strength,
+                      const double    softening_modulus,
+                      const Invariant invariant = Invariant::equivalent);
+
+    /// "undrained shear strength" (now, kPa), "residual strength" (kPa),
+    /// "plastic strain" (-).
+    std::vector<MaterialVariable>
+    variables() const override;
+
+    double
+    update(const SymmetricTensor<2, 3> &strain_increment,
+           SymmetricTensor<2, 3> &      stress,
+           double *                     variables,
+           SymmetricTensor<4, 3> *      tangent) const override;
+
+  private:
+    double initial_strength;
+    double residual_strength;
+    double plastic_strain_factor; // invariant / equivalent plastic strain
+    double softening; // dc / d(equivalent plastic strain), kPa
+  };
+} // namespace Waker
+
+#endif

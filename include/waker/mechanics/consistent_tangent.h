@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_mechanics_consistent_tangent_h
+#define waker_mechanics_consistent_tangent_h
+
+#include <waker/mechanics/stress_update.h>
+#include <waker/nodes/operator.h>
+
+namespace Waker
+{
+  /**
+   * The derivative of the internal force as StressUpdate computes it, applied
+   * point by point without a matrix: with it, Newton converges quadratically.
+   * The objective rate makes it slightly unsymmetric.
+   */
+  template <int dim>
+  class ConsistentTangent : public Operator
+  {
+  public:
+    /// Both must outlive this object.
+    ConsistentTangent(const Weights<dim> &weights);
+
+    /// Linearise at `increment`.
+    void
+    reinit(const StressUpdate<dim> &  stress_update,
+           const MaterialPoints<dim> &points,
+           const NodalVector &        increment);
+
+    void
+    vmult(NodalVector &dst, const NodalVector &src) const override;
+
+    void
+    add_diagonal(NodalVector &diagonal) const override;
+
+    bool
+    is_symmetric() const override
+    {
+      return false;
+    }
+
+    /// The points' tangents, for assembly.
+    const std::vector<typename StressUpdate<dim>::PointTangent> &
+    point_tangents() const
+    {
+      return tangents;
+    }
+
+  private:
+    const Weights<dim> *                                  weights;
+    std::vector<typename StressUpdate<dim>::PointTangent> tangents;
+  };
+} // namespace Waker
+
+#endif

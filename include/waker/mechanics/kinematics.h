@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_mechanics_kinematics_h
+#define waker_mechanics_kinematics_h
+
+#include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/base/tensor.h>
+
+namespace Waker
+{
+  using namespace dealii;
+
+  /**
+   * The motion of a point in one step, from the gradient H of its displacement
+   * increment with respect to the start of the step.
+   *
+   * Objective (Hughes & Winget 1980): strain and spin are taken at mid-step,
+   *   G = H (I + H/2)^-1,  strain = sym G,  W = skew G,
+   *   Q = (I - W/2)^-1 (I + W/2),
+   * and the stress at the start is turned to Q s Q^T. A rigid rotation gives
+   * no strain, whatever its angle. Otherwise G = H and Q = I (eq. 2.33 of
+   * Remmerswaal 2023).
+   */
+  template <int dim>
+  class Kinematics
+  {
+  public:
+    Kinematics(const Tensor<2, dim> &H, const bool objective);
+
+    /// Strain increment, 3x3 (plane strain in 2D).
+    SymmetricTensor<2, 3>
+    strain() const;
+
+    /// Q s Q^T
+    SymmetricTensor<2, 3>
+    turn(const SymmetricTensor<2, 3> &stress) const;
+
+    /// Number of different stress components in dim dimensions.
+    static constexpr unsigned int n_stresses = dim * (dim + 1) / 2;
+
+    /**
+     * The derivative of the stress at the end of the step with respect to H:
+     * material, mid-step strain and rotation together.
+     *
+     * With Z = (I - W/2)^-1 dW (I + W/2)^-1, d(Q s Q^T) = Z t - t Z for
+     * t = Q s Q^T, and a law that acts on an elastic trial stress sees it as
+     * the strain (Z t - t Z) / 2G: the commutator has no trace.
+     *
+     * @param tangent algorithmic tangent of the material (kPa)
+     * @param turned t, the turned stress at the start (kPa)
+     * @param shear_modulus G of the elastic trial (kPa)
+     * @param scale multiplies the result (the point's volume)
+     * @param A out: A[a][dim c + d] = scale * d stress_a / d H_cd, with
+     *        a = xx, yy, xy in 2D and xx, yy, zz, xy, xz, yz in 3D
+     */
+    void
+    stress_derivative(const SymmetricTensor<4, 3> &tangent,
+                      const SymmetricTensor<2, 3> &turned,
+                      const double                 shear_modulus,
+                      const double                 scale,
+                      double (*A)[dim * dim]) const;
+
+  private:
+    bool           objective;
+    Tensor<2, dim> G; // at mid-step
+    Tensor<2, dim> R; // (I + H/2)^-1: dG = R dH R
+  };
+} // namespace Waker
+
+#endif

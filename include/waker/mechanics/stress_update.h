@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_mechanics_stress_update_h
+#define waker_mechanics_stress_update_h
+
+#include <deal.II/base/symmetric_tensor.h>
+
+#include <waker/mapping/weights.h>
+#include <waker/materials/material.h>
+#include <waker/nodes/nodal_vector.h>
+#include <waker/particles/material_points.h>
+
+#include <memory>
+#include <vector>
+
+namespace Waker
+{
+  /// The materials of a case, by number.
+  using Materials = std::vector<std::unique_ptr<Material>>;
+
+  /// Give the points the scalars that their materials declare, at their
+  /// initial values.
+  template <int dim>
+  void
+  declare_material_variables(const Materials &    materials,
+                             MaterialPoints<dim> &points);
+
+  /// Sums over the points, of the last evaluation.
+  struct StressReport
+  {
+    double dissipation    = 0.; // plastic, kJ
+    double work_start     = 0.; // sum V stress(t)    : grad(du), kJ
+    double work_end       = 0.; // sum V stress(t+dt) : grad(du), kJ
+    double elastic_energy = 0.; // at the end, kJ
+    double plastic_strain = 0.; // mean increment of "plastic strain", -
+  };
+
+  /**
+   * From a displacement increment to stresses and internal force: the one
+   * place where points are strained. Always from the state at the start of the
+   * step, never from the last iteration; the points stay as they are until
+   * accept().
+   */
+  template <int dim>
+  class StressUpdate
+  {
+  public:
+    StressUpdate(const Materials &materials, const bool objective_rate);
+
+    /**
+     * Evaluate stress and internal force (eqs. 2.28, 2.33 of Remmerswaal
+     * 2023; mechanics/kinematics.h).
+     *
+     * @param increment displacement increments of the nodes (m)
+     * @param internal_force out: sum_p V_p stress_p grad S_ip (kN)
+     * @param tangent if not null: the derivative of V_p stress_p with respect
+     *        to the gradient of the increment, per point (see
+     *        Kinematics::stress_derivative)
+     */
+    void
+    evaluate(const MaterialPoints<dim> &points,
+             const Weights<dim> &       weights,
+             const NodalVector &        increment,
+             NodalVector &              internal_force);
+
+    /// n_stresses x dim^2 numbers.
+    struct PointTangent
+    {
+      double A[dim * (dim + 1) / 2][dim * dim];
+    };
+
+    /// The tangents of all points at the same increment (kN m or kN/m).
+    /// Stresses and force are not evaluated again.
+    void
+    tangents(const MaterialPoints<dim> &points,
+             const Weights<dim> &       weights,
+             const NodalVector &        increment,
+             std::vector<PointTangent> &tangents) const;
+
+    /// The materials' algorithmic tangents (kPa), for double mapping.
+    void
+    material_tangents(const MaterialPoints<dim> &          points,
+                      const Weights<dim> &                 weights,
+                      const NodalVector &                  increment,
+                      std::vector<SymmetricTensor<4, 3>> &tangents) const;
+
+    /// Write the stresses and variables of the last evaluation to the points,
+    /// and sum up what happened at `increment`.
+    StressReport
+    accept(const Weights<dim> & weights,
+           const NodalVector &  increment,
+           MaterialPoints<dim> &points) const;
+
+  private:
+    /// Find the arrays of the materials' variables among the points' scalars.
+    void
+    find_variables(const MaterialPoints<dim> &points);
+
+    const Materials *              materials;
+    bool                           objective_rate;
+    std::vector<std::vector<int>>  variable_arrays; // per material
+    unsigned int                   n_variables; // largest number per material
+    std::vector<SymmetricTensor<2, 3>> new_stress;    // per point
+    std::vector<double>                new_variables; // n_variables per point
+    std::vector<double>                dissipation;   // per point, kPa
+  };
+} // namespace Waker
+
+#endif

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/materials/linear_elastic.h>
+
+namespace Waker
+{
+  void
+  Material::update_elastic(const SymmetricTensor<2, 3> &strain_increment,
+                           SymmetricTensor<2, 3> &      stress) const
+  {
+    stress += 2. * shear_modulus() * deviator(strain_increment) +
+              bulk_modulus() * trace(strain_increment) *
+                unit_symmetric_tensor<3>();
+  }
+
+
+  LinearElastic::LinearElastic(const double density,
+                               const double youngs_modulus,
+                               const double poissons_ratio)
+    : rho(density)
+    , G(youngs_modulus / (2. * (1. + poissons_ratio)))
+    , K(youngs_modulus / (3. * (1. - 2. * poissons_ratio)))
+    , elastic_tangent(K * outer_product(unit_symmetric_tensor<3>(),
+                                        unit_symmetric_tensor<3>()) +
+                      2. * G * deviator_tensor<3>())
+  {}
+
+
+  std::vector<MaterialVariable>
+  LinearElastic::variables() const
+  {
+    return {};
+  }
+
+
+  double
+  LinearElastic::update(const SymmetricTensor<2, 3> &strain_increment,
+                        SymmetricTensor<2, 3> &      stress,
+                        double *,
+                        SymmetricTensor<4, 3> *tangent) const
+  {
+    update_elastic(strain_increment, stress);
+    if (tangent != nullptr)
+      *tangent = elastic_tangent;
+    return 0.;
+  }
+} // namespace Waker

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/parameter_handler.h>
+
+#include <waker/base/errors.h>
+#include <waker/materials/factory.h>
+
+#include <cmath>
+
+namespace Waker
+{
+  void
+  MaterialParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Model",
+                      model,
+                      "linear elastic: no strength. von Mises softening: "
+                      "undrained strength c that falls from the initial to the "
+                      "residual value with plastic strain; plane-strain "
+                      "strength c, yield at q = sqrt(3) c.",
+                      Patterns::Selection("linear elastic|von Mises softening"));
+    prm.add_parameter("Unit weight",
+                      unit_weight,
+                      "Weight per volume (kN/m^3), above 0.",
+                      Patterns::Double(0.));
+    prm.add_parameter("Young's modulus",
+                      youngs_modulus,
+                      "Stiffness (kPa), above 0.",
+                      Patterns::Double(0.));
+    prm.add_parameter("Poisson's ratio",
+                      poissons_ratio,
+                      "Ratio of lateral to axial strain (-), above -1 and "
+                      "below 0.5.",
+                      Patterns::Double(-1., 0.5));
+    prm.add_parameter("Initial strength",
+                      initial_strength,
+                      "Undrained shear strength c_i (kPa) before any plastic "
+                      "strain, above 0.",
+                      Patterns::Double(0.));
+    prm.add_parameter("Residual strength",
+                      residual_strength,
+                      "Undrained shear strength c_r (kPa) after softening, at "
+                      "least 0 and at most the initial strength.",
+                      Patterns::Double(0.));
+    prm.add_parameter("Softening modulus",
+                      softening_modulus,
+                      "Slope H_s = dc / d(plastic strain) (kPa), at most 0. 0: "
+                      "no softening. Results depend on the cell size with it: "
+                      "there is no regularisation.",
+                      Patterns::Double());
+    prm.add_parameter("Plastic strain invariant",
+                      plastic_strain_invariant,
+                      "Which measure of plastic strain e softens: equivalent = "
+                      "sqrt(2/3 e:e); half = sqrt(1/2 e:e), 13 % less for the "
+                      "same shear.",
+                      Patterns::Selection("equivalent|half"));
+  }
+
+
+  void
+  MaterialParameters::check() const
+  {
+    const std::string path   = "Materials/" + name + "/";
+    const auto        number = [](const double value) {
+      return Patterns::Tools::to_string(value);
+    };
+
+    if (!(unit_weight > 0.))
+      throw UserError(path + "Unit weight",
+                      "is " + number(unit_weight) + " kN/m^3",
+                      "a number above 0");
+    if (!(youngs_modulus > 0.))
+      throw UserError(path + "Young's modulus",
+                      "is " + number(youngs_modulus) + " kPa",
+                      "a number above 0");
+    if (!(poissons_ratio > -1. && poissons_ratio < 0.5))
+      throw UserError(path + "Poisson's ratio",
+                      "is " + number(poissons_ratio),
+                      "above -1 and below 0.5 (an incompressible soil: 0.49)");
+    if (model == "linear elastic")
+      return;
+
+    if (!(initial_strength > 0.))
+      throw UserError(path + "Initial strength",
+                      "is " + number(initial_strength) + " kPa",
+                      "a number above 0");
+    if (!(residual_strength >= 0. && residual_strength <= initial_strength))
+      throw UserError(path + "Residual strength",
+                      "is " + number(residual_strength) +
+                        " kPa, the initial strength " +
+                        number(initial_strength) + " kPa",
+                      "from 0 to the initial strength");
+    if (!(softening_modulus <= 0.))
+      throw UserError(path + "Softening modulus",
+                      "is " + number(softening_modulus) + " kPa",
+                      "a negative number, or 0 for no softening");
+
+    // The return to the yield surface, (sqrt(3) c - q) / (3 G + H'), must
+    // exist: no snap-back of a point. H' = dq / d(lambda).
+    const double shear_modulus = youngs_modulus / (2. * (1. + poissons_ratio));
+    const double strain_per_lambda =
+      plastic_strain_invariant == "half" ? std::sqrt(3.) / 2. : 1.;
+    const double limit =
+      -3. * shear_modulus / (std::sqrt(3.) * strain_per_lambda);
+    if (!(softening_modulus > limit))
+      throw UserError(path + "Softening modulus",
+                      "is " + number(softening_modulus) +
+                        " kPa: steeper than the elastic unloading (snap-back)",
+                      "above " + number(limit) +
+                        " kPa with this Young's modulus and Poisson's ratio");
+  }
+} // namespace Waker

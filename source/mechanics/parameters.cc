@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/parameter_handler.h>
+
+#include <waker/base/errors.h>
+#include <waker/mechanics/parameters.h>
+
+namespace Waker
+{
+  namespace
+  {
+    /// deal.II's Patterns::Double(0) admits 0.
+    void
+    require_positive(const std::string &path, const double value)
+    {
+      if (!(value > 0.))
+        throw UserError(path,
+                        "is " + Patterns::Tools::to_string(value),
+                        "a number above 0");
+    }
+  } // namespace
+
+
+  void
+  TimeParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Scheme",
+                      scheme,
+                      "Newmark: implicit, beta = 1/4, gamma = 1/2 (the main "
+                      "scheme). explicit: an independent check with its own, "
+                      "stable time step.",
+                      Patterns::Selection("Newmark|explicit"));
+    prm.add_parameter("Time step",
+                      time_step,
+                      "Time step of the Newmark scheme (s), above 0. The "
+                      "accuracy suffers when a wave crosses more than a few "
+                      "cells in it; the run prints that number.",
+                      Patterns::Double(0.));
+    prm.add_parameter("End time",
+                      end_time,
+                      "Time at which a run ends at the latest (s), above 0.",
+                      Patterns::Double(0.));
+    prm.add_parameter("Ramp duration",
+                      ramp_duration,
+                      "The unbalanced force after the gravity step grows from "
+                      "nothing to full over this time (s). 0: at once.",
+                      Patterns::Double(0.));
+    prm.add_parameter("Maximum halvings",
+                      maximum_halvings,
+                      "A step that does not converge is halved at most this "
+                      "often before the run ends as a numerical failure.",
+                      Patterns::Integer(0, 20));
+    prm.add_parameter("Courant number",
+                      courant_number,
+                      "Explicit scheme: time step as a share (-) of the time "
+                      "in which a compression wave crosses a cell, above 0.",
+                      Patterns::Double(0., 1.));
+  }
+
+
+  void
+  TimeParameters::check() const
+  {
+    require_positive("Time stepping/Time step", time_step);
+    require_positive("Time stepping/End time", end_time);
+    if (!(ramp_duration >= 0.))
+      throw UserError("Time stepping/Ramp duration",
+                      "is " + Patterns::Tools::to_string(ramp_duration) + " s",
+                      "0 (no ramp) or a positive time");
+    if (!(courant_number > 0. && courant_number <= 1.))
+      throw UserError("Time stepping/Courant number",
+                      "is " + Patterns::Tools::to_string(courant_number),
+                      "above 0 and at most 1");
+  }
+
+
+  void
+  NewtonParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Tangent",
+                      tangent,
+                      "consistent: the derivative of the internal force, "
+                      "quadratic convergence. double mapping: from stiffness "
+                      "mapped to Gauss points, a smaller matrix.",
+                      Patterns::Selection("consistent|double mapping"));
+    prm.add_parameter("Tolerance",
+                      tolerance,
+                      "A step has converged when the mass-weighted norm of its "
+                      "residual is below this share (-) of that of the "
+                      "external force; above 0, below 1.",
+                      Patterns::Double(0., 1.));
+    prm.add_parameter("Maximum iterations",
+                      maximum_iterations,
+                      "A step that needs more iterations is halved.",
+                      Patterns::Integer(1, 1000));
+    prm.add_parameter("Linear tolerance",
+                      linear_tolerance,
+                      "Relative accuracy (-) of the linear solves (inexact "
+                      "Newton); above 0, below 1.",
+                      Patterns::Double(0., 1.));
+    prm.add_parameter("Maximum linear iterations",
+                      maximum_linear_iterations,
+                      "Limit of conjugate gradient iterations in one solve.",
+                      Patterns::Integer(1));
+    prm.add_parameter("Predictor",
+                      predictor,
+                      "Start a step from v dt + a dt^2 / 2 instead of from no "
+                      "displacement: about half the iterations.",
+                      Patterns::Bool());
+  }
+
+
+  void
+  NewtonParameters::check() const
+  {
+    const auto check_tolerance = [](const std::string &path,
+                                    const double       value) {
+      if (!(value > 0. && value < 1.))
+        throw UserError(path,
+                        "is " + Patterns::Tools::to_string(value),
+                        "above 0 and below 1");
+    };
+    check_tolerance("Newton/Tolerance", tolerance);
+    check_tolerance("Newton/Linear tolerance", linear_tolerance);
+    if (maximum_iterations == 0)
+      throw UserError("Newton/Maximum iterations", "is 0", "at least 1");
+    if (maximum_linear_iterations == 0)
+      throw UserError("Newton/Maximum linear iterations", "is 0", "at least 1");
+  }
+
+
+  void
+  GravityParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Acceleration",
+                      acceleration,
+                      "Acceleration of gravity (m/s^2), downwards (-y). It "
+                      "also turns unit weight into density. 0: no weight; "
+                      "densities are then unit weight / 9.81.",
+                      Patterns::Double(0.));
+    prm.add_parameter("Initial stress",
+                      initial_stress,
+                      "Set up the in-situ stress by an elastic, quasi-static "
+                      "step under weight and water, in which points stay in "
+                      "place. false: start without stress.",
+                      Patterns::Bool());
+    prm.add_parameter("Tolerance",
+                      tolerance,
+                      "Relative residual (-) of that static step; above 0, "
+                      "below 1.",
+                      Patterns::Double(0., 1.));
+  }
+
+
+  void
+  GravityParameters::check() const
+  {
+    if (!(acceleration >= 0.))
+      throw UserError("Gravity/Acceleration",
+                      "is " + Patterns::Tools::to_string(acceleration) +
+                        " m/s^2",
+                      "0 or a positive number (it points down)");
+    if (!(tolerance > 0. && tolerance < 1.))
+      throw UserError("Gravity/Tolerance",
+                      "is " + Patterns::Tools::to_string(tolerance),
+                      "above 0 and below 1");
+  }
+
+
+  void
+  MappingParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Functions",
+                      functions,
+                      "GIMP: points with a support domain (uGIMP), smooth when "
+                      "they cross cells. linear: standard material point "
+                      "method.",
+                      Patterns::Selection("GIMP|linear"));
+    prm.add_parameter("Objective rate",
+                      objective_rate,
+                      "Strain at mid-step, stress turned with the body (Hughes "
+                      "and Winget 1980). false: small strain without rotation, "
+                      "as in the thesis.",
+                      Patterns::Bool());
+  }
+} // namespace Waker

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/mapping/stencil.h>
+#include <waker/mechanics/kinematics.h>
+#include <waker/mechanics/stress_update.h>
+
+#include <algorithm>
+
+namespace Waker
+{
+  namespace
+  {
+    /// Scalars per point that fit on the stack; more is a material's mistake.
+    constexpr unsigned int max_variables = 16;
+
+
+    template <int dim>
+    Tensor<2, dim>
+    in_plane(const SymmetricTensor<2, 3> &stress, const double scale)
+    {
+      Tensor<2, dim> P;
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j < dim; ++j)
+          P[i][j] = scale * stress[i][j];
+      return P;
+    }
+
+
+    /// Elastic energy per volume of a stress (kPa).
+    double
+    elastic_energy(const SymmetricTensor<2, 3> &stress,
+                   const Material &             material)
+    {
+      const double p = trace(stress) / 3.;
+      return p * p / (2. * material.bulk_modulus()) +
+             (stress * stress - 3. * p * p) / (4. * material.shear_modulus());
+    }
+  } // namespace
+
+
+  template <int dim>
+  void
+  declare_material_variables(const Materials &    materials,
+                             MaterialPoints<dim> &points)
+  {
+    for (unsigned int m = 0; m < materials.size(); ++m)
+      for (const MaterialVariable &variable : materials[m]->variables())
+        {
+          std::vector<double> &values = points.scalar(variable.name);
+          for (std::size_t p = 0; p < points.n_points(); ++p)
+            if (points.material[p] == m)
+              values[p] = variable.initial_value;
+        }
+  }
+
+
+  template <int dim>
+  StressUpdate<dim>::StressUpdate(const Materials &materials,
+                                  const bool       objective_rate)
+    : materials(&materials)
+    , objective_rate(objective_rate)
+    , n_variables(0)
+  {
+    for (const auto &material : materials)
+      n_variables = std::max<unsigned int>(n_variables,
+                                           material->variables().size());
+    AssertThrow(n_variables <= max_variables,
+                ExcMessage("a material declares too many variables"));
+  }
+
+
+  template <int dim>
+  void
+  StressUpdate<dim>::find_variables(const MaterialPoints<dim> &points)
+  {
+    variable_arrays.assign(materials->size(), {});
+    for (unsigned int m = 0; m < materials->size(); ++m)
+      for (const MaterialVariable &variable : (*materials)[m]->variables())
+        {
+          const int i = points.find_scalar(variable.name);
+          AssertThrow(i >= 0,
+                      ExcMessage("the points lack the variable " +
+                                 variable.name));
+          variable_arrays[m].push_back(i);
+        }
+    new_stress.resize(points.n_points());
+    new_variables.resize(n_variables * points.n_points());
+    dissipation.resize(points.n_points());
+  }
+
+
+  template <int dim>
+  void
+  StressUpdate<dim>::evaluate(const MaterialPoints<dim> &points,
+                              const Weights<dim> &       weights,
+                              const NodalVector &        increment,
+                              NodalVector &              internal_force)
+  {
+    if (variable_arrays.size() != materials->size() ||
+        new_stress.size() != points.n_points())
+      find_variables(points);
+
+    const Stencil<dim>  stencil(weights.background_grid());
+    const double *const du = increment.begin();
+    internal_force         = 0.;
+    double *const force    = internal_force.begin();
+
+    for (std::size_t p = 0; p < points.n_points(); ++p)
+      {
+        const PointWeights<dim> &w        = weights[p];
+        const unsigned int       m        = points.material[p];
+        const Material &         material = *(*materials)[m];
+        const Kinematics<dim>    motion(stencil.gradient(w, du),
+                                     objective_rate);
+
+        double *const variables = new_variables.data() + n_variables * p;
+        for (unsigned int v = 0; v < variable_arrays[m].size(); ++v)
+          variables[v] = points.scalars[variable_arrays[m][v]].values[p];
+        SymmetricTensor<2, 3> &stress = new_stress[p];
+        stress                        = motion.turn(points.stress[p]);
+        dissipation[p] =
+          material.update(motion.strain(), stress, variables, nullptr);
+
+        stencil.scatter_gradient(w,
+                                 in_plane<dim>(stress, points.volume[p]),
+                                 force);
+      }
+  }
+
+
+  template <int dim>
+  void
+  StressUpdate<dim>::tangents(const MaterialPoints<dim> &points,
+                              const Weights<dim> &       weights,
+                              const NodalVector &        increment,
+                              std::vector<PointTangent> &tangents) const
+  {
+    const Stencil<dim>    stencil(weights.background_grid());
+    const double *const   du = increment.begin();
+    SymmetricTensor<4, 3> tangent;
+    double                variables[max_variables];
+    tangents.resize(points.n_points());
+    for (std::size_t p = 0; p < points.n_points(); ++p)
+      {
+        const unsigned int    m        = points.material[p];
+        const Material &      material = *(*materials)[m];
+        const Kinematics<dim> motion(stencil.gradient(weights[p], du),
+                                     objective_rate);
+        for (unsigned int v = 0; v < variable_arrays[m].size(); ++v)
+          variables[v] = points.scalars[variable_arrays[m][v]].values[p];
+        const SymmetricTensor<2, 3> turned = motion.turn(points.stress[p]);
+        SymmetricTensor<2, 3>       stress = turned;
+        material.update(motion.strain(), stress, variables, &tangent);
+        motion.stress_derivative(tangent,
+                                 turned,
+                                 material.shear_modulus(),
+                                 points.volume[p],
+                                 tangents[p].A);
+      }
+  }
+
+
+  template <int dim>
+  void
+  StressUpdate<dim>::material_tangents(
+    const MaterialPoints<dim> &         points,
+    const Weights<dim> &                weights,
+    const NodalVector &                 increment,
+    std::vector<SymmetricTensor<4, 3>> &tangents) const
+  {
+    const Stencil<dim>  stencil(weights.background_grid());
+    const double *const du = increment.begin();
+    double              variables[max_variables];
+    tangents.resize(points.n_points());
+    for (std::size_t p = 0; p < points.n_points(); ++p)
+      {
+        const unsigned int    m = points.material[p];
+        const Kinematics<dim> motion(stencil.gradient(weights[p], du),
+                                     objective_rate);
+        for (unsigned int v = 0; v < variable_arrays[m].size(); ++v)
+          variables[v] = points.scalars[variable_arrays[m][v]].values[p];
+        SymmetricTensor<2, 3> stress = motion.turn(points.stress[p]);
+        (*materials)[m]->update(motion.strain(), stress, variables, &tangents[p]);
+      }
+  }
+
+
+  template <int dim>
+  StressReport
+  StressUpdate<dim>::accept(const Weights<dim> & weights,
+                            const NodalVector &  increment,
+                            MaterialPoints<dim> &points) const
+  {
+    const Stencil<dim>  stencil(weights.background_grid());
+    const double *const du = increment.begin();
+    StressReport        report;
+    const int           plastic = points.find_scalar("plastic strain");
+    for (std::size_t p = 0; p < points.n_points(); ++p)
+      {
+        const unsigned int   m = points.material[p];
+        const double         V = points.volume[p];
+        const Tensor<2, dim> H = stencil.gradient(weights[p], du);
+        report.work_start +=
+          scalar_product(in_plane<dim>(points.stress[p], V), H);
+        report.work_end += scalar_product(in_plane<dim>(new_stress[p], V), H);
+        report.dissipation += V * dissipation[p];
+        report.elastic_energy +=
+          V * elastic_energy(new_stress[p], *(*materials)[m]);
+
+        points.stress[p]        = new_stress[p];
+        const double *variables = new_variables.data() + n_variables * p;
+        for (unsigned int v = 0; v < variable_arrays[m].size(); ++v)
+          {
+            const int array  = variable_arrays[m][v];
+            double &  value  = points.scalars[array].values[p];
+            if (array == plastic)
+              report.plastic_strain += variables[v] - value;
+            value = variables[v];
+          }
+      }
+    report.plastic_strain /= std::max<std::size_t>(points.n_points(), 1);
+    return report;
+  }
+
+
+  template void
+  declare_material_variables(const Materials &, MaterialPoints<2> &);
+  template void
+  declare_material_variables(const Materials &, MaterialPoints<3> &);
+  template class StressUpdate<2>;
+  template class StressUpdate<3>;
+} // namespace Waker
