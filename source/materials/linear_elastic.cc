@@ -3,16 +3,6 @@
 
 namespace Waker
 {
-  void
-  Material::update_elastic(const SymmetricTensor<2, 3> &strain_increment,
-                           SymmetricTensor<2, 3> &      stress) const
-  {
-    stress += 2. * shear_modulus() * deviator(strain_increment) +
-              bulk_modulus() * trace(strain_increment) *
-                unit_symmetric_tensor<3>();
-  }
-
-
   LinearElastic::LinearElastic(const double density,
                                const double youngs_modulus,
                                const double poissons_ratio)
@@ -23,6 +13,18 @@ namespace Waker
                                         unit_symmetric_tensor<3>()) +
                       2. * G * deviator_tensor<3>())
   {}
+
+
+  void
+  LinearElastic::add_elastic_stress(
+    const SymmetricTensor<2, 3> &strain_increment,
+    SymmetricTensor<2, 3> &      stress) const
+  {
+    stress += (2. * G) * strain_increment;
+    const double mean = (K - 2. / 3. * G) * trace(strain_increment);
+    for (unsigned int d = 0; d < 3; ++d)
+      stress[d][d] += mean;
+  }
 
 
   std::vector<MaterialVariable>
@@ -38,7 +40,7 @@ namespace Waker
                         double *,
                         SymmetricTensor<4, 3> *tangent) const
   {
-    update_elastic(strain_increment, stress);
+    add_elastic_stress(strain_increment, stress);
     if (tangent != nullptr)
       *tangent = elastic_tangent;
     return 0.;

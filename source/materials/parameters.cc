@@ -17,7 +17,8 @@ namespace Waker
                       "undrained strength c that falls from the initial to the "
                       "residual value with plastic strain; plane-strain "
                       "strength c, yield at q = sqrt(3) c.",
-                      Patterns::Selection("linear elastic|von Mises softening"));
+                      Patterns::Selection(
+                        "linear elastic|von Mises softening"));
     prm.add_parameter("Unit weight",
                       unit_weight,
                       "Weight per volume (kN/m^3), above 0.",
@@ -59,8 +60,8 @@ namespace Waker
   void
   MaterialParameters::check() const
   {
-    const std::string path   = "Materials/" + name + "/";
-    const auto        number = [](const double value) {
+    const std::string path = "Materials/" + name + "/";
+    const auto number      = [](const double value) {
       return Patterns::Tools::to_string(value);
     };
 

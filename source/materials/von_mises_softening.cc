@@ -49,7 +49,7 @@ namespace Waker
     const double residual       = variables[1];
     double &     plastic_strain = variables[2];
 
-    update_elastic(strain_increment, stress); // the trial stress
+    add_elastic_stress(strain_increment, stress); // the trial stress
     const double                pressure = trace(stress) / 3.;
     const SymmetricTensor<2, 3> s        = deviator(stress);
     const double                q = std::sqrt(1.5) * s.norm(); // sqrt(3 J_2)

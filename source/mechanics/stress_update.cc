@@ -54,6 +54,18 @@ namespace Waker
 
 
   template <int dim>
+  double
+  elastic_energy(const MaterialPoints<dim> &points, const Materials &materials)
+  {
+    double sum = 0.;
+    for (std::size_t p = 0; p < points.n_points(); ++p)
+      sum += points.volume[p] * elastic_energy(points.stress[p],
+                                               *materials[points.material[p]]);
+    return sum;
+  }
+
+
+  template <int dim>
   StressUpdate<dim>::StressUpdate(const Materials &materials,
                                   const bool       objective_rate)
     : materials(&materials)
@@ -226,6 +238,10 @@ namespace Waker
   declare_material_variables(const Materials &, MaterialPoints<2> &);
   template void
   declare_material_variables(const Materials &, MaterialPoints<3> &);
+  template double
+  elastic_energy(const MaterialPoints<2> &, const Materials &);
+  template double
+  elastic_energy(const MaterialPoints<3> &, const Materials &);
   template class StressUpdate<2>;
   template class StressUpdate<3>;
 } // namespace Waker

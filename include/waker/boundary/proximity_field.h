@@ -2,6 +2,7 @@
 #ifndef waker_boundary_proximity_field_h
 #define waker_boundary_proximity_field_h
 
+#include <waker/boundary/marching_squares.h>
 #include <waker/boundary/surface.h>
 #include <waker/grid/background_grid.h>
 #include <waker/particles/material_points.h>
@@ -31,13 +32,22 @@ namespace Waker
    * The Proximity Field Method: a field PF(x) = sum_p V_p K(x - x_p) on the
    * nodes of the background grid, of which marching squares draw the contour.
    *
-   * Kernel: eqs. 3.8-3.11 of Remmerswaal 2023 (3D constant 15 / (8 pi a^3)).
-   * Volume-normalised kernels make the natural threshold 1/2: the detected
-   * line then has no mean offset from a flat face.
+   * Kernel: K = 2 / (pi a^2) (1 - |x - x_p|^2 / a^2) within the radius a, eqs.
+   * 3.8-3.11 of Remmerswaal 2023. With the volume V_p as factor the natural
+   * threshold is 1/2: the detected line then has no mean offset from a flat
+   * face (its scatter for 2 x 2 points per cell is -0.095 to +0.071 h for
+   * a = h, +-0.022 h for a = 2 h). Convex corners are rounded and gaps narrower
+   * than about a are closed.
    *
-   * Keeps its work arrays from call to call. 2D only for now: in 3D, field()
-   * works and detect() is not there (the water load of a 3D case is drawn
-   * from its mid-plane; see boundary/water_load.h).
+   * At a closed face the kernels of the points within a of it are mirrored, so
+   * that the field is not halved there, and the body is cut at the face.
+   *
+   * A three-dimensional body is taken as prismatic: its points are projected
+   * on the x-y plane with V_p / L_z, L_z the extent of the grid's box in z. A
+   * plane-strain slice so has the field of the two-dimensional body. A true
+   * surface in 3D is not there yet.
+   *
+   * Keeps its work arrays from call to call.
    */
   template <int dim>
   class ProximityField
@@ -45,22 +55,51 @@ namespace Waker
   public:
     /// @param closed_faces where to mirror (Fixities::closed_faces())
     ProximityField(const BackgroundGrid<dim> &grid,
-                   const SurfaceParameters &  parameters,
-                   const unsigned int         closed_faces);
+                   const SurfaceParameters &parameters,
+                   const unsigned int closed_faces);
 
-    /// PF at every node (no unit; 1 inside a body), for the points as they lie.
+    /// PF (no unit; about 1 inside a body) for the points as they lie, at the
+    /// nodes of the x-y lattice, x fastest, margin included: n_x n_y entries,
+    /// which in 2D are all nodes of the grid.
     const std::vector<double> &
     field(const MaterialPoints<dim> &points);
 
-    /// The contour of the field at the threshold.
+    /// The field as last computed.
+    const std::vector<double> &
+    nodal_values() const
+    {
+      return nodal_field;
+    }
+
+    /// The contour of the field at the threshold. `surface` is overwritten,
+    /// its storage used again.
+    void
+    detect(const MaterialPoints<dim> &points, Surface &surface);
+
     Surface
     detect(const MaterialPoints<dim> &points);
 
   private:
-    const BackgroundGrid<dim> *grid;
-    SurfaceParameters          parameters;
-    unsigned int               closed_faces;
-    std::vector<double>        nodal_field;
+    // Sum the kernels, each over the `width` x `width` nodes that it can reach.
+    template <int width>
+    void
+    add_kernels(const MaterialPoints<dim> &points);
+
+    double radius; // in cells
+    double threshold;
+    double inverse_h; // 1/m
+    double factor;    // K at its centre, times 1 / L_z in 3D
+    Point<2> origin;  // of the lattice, m
+    int n_x;
+    int n_y;
+    unsigned int first_traced; // lattice node where the contour's window starts
+
+    // Coordinates of the closed faces in cells from the origin, in the order
+    // x lower, x upper, y lower, y upper; far away where a face is open.
+    std::array<double, 4> mirrors;
+
+    std::vector<double> nodal_field;
+    MarchingSquares contour;
   };
 } // namespace Waker
 

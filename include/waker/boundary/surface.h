@@ -28,7 +28,7 @@ namespace Waker
   };
 
   /// The detected surface of a body in 2D, outer chains in the order of
-  /// decreasing area, then holes.
+  /// decreasing area, then holes, the largest first as well.
   struct Surface
   {
     std::vector<SurfaceChain> chains;

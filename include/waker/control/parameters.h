@@ -9,6 +9,8 @@ namespace dealii
 
 namespace Waker
 {
+  using namespace dealii;
+
   /// Section "Initial failure": when a slide counts (both readings recorded).
   struct InitialFailureParameters
   {
@@ -17,6 +19,9 @@ namespace Waker
 
     void
     add_parameters(ParameterHandler &prm);
+    /// @throws UserError "Initial failure/..."
+    void
+    check() const;
   };
 
   /// Section "Stop rules".
@@ -33,6 +38,7 @@ namespace Waker
 
     void
     add_parameters(ParameterHandler &prm);
+    /// @throws UserError "Stop rules/..."
     void
     check() const;
   };

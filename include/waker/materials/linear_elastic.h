@@ -47,6 +47,11 @@ namespace Waker
     }
 
   protected:
+    /// stress += K tr(strain) 1 + 2 G dev(strain)
+    void
+    add_elastic_stress(const SymmetricTensor<2, 3> &strain_increment,
+                       SymmetricTensor<2, 3> &      stress) const;
+
     double                rho;
     double                G;
     double                K;

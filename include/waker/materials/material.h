@@ -67,12 +67,6 @@ namespace Waker
 
     virtual double
     bulk_modulus() const = 0;
-
-    /// The law with yielding off (the gravity step). By default the same law
-    /// is used; a plastic law overrides it.
-    virtual void
-    update_elastic(const SymmetricTensor<2, 3> &strain_increment,
-                   SymmetricTensor<2, 3> &      stress) const;
   };
 } // namespace Waker
 

@@ -37,6 +37,12 @@ namespace Waker
       return false;
     }
 
+    const Weights<dim> &
+    point_weights() const
+    {
+      return *weights;
+    }
+
     /// The points' tangents, for assembly.
     const std::vector<typename StressUpdate<dim>::PointTangent> &
     point_tangents() const

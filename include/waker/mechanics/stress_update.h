@@ -24,6 +24,11 @@ namespace Waker
   declare_material_variables(const Materials &    materials,
                              MaterialPoints<dim> &points);
 
+  /// Elastic energy of the points' stresses (kJ).
+  template <int dim>
+  double
+  elastic_energy(const MaterialPoints<dim> &points, const Materials &materials);
+
   /// Sums over the points, of the last evaluation.
   struct StressReport
   {
@@ -52,9 +57,6 @@ namespace Waker
      *
      * @param increment displacement increments of the nodes (m)
      * @param internal_force out: sum_p V_p stress_p grad S_ip (kN)
-     * @param tangent if not null: the derivative of V_p stress_p with respect
-     *        to the gradient of the increment, per point (see
-     *        Kinematics::stress_derivative)
      */
     void
     evaluate(const MaterialPoints<dim> &points,
@@ -62,7 +64,8 @@ namespace Waker
              const NodalVector &        increment,
              NodalVector &              internal_force);
 
-    /// n_stresses x dim^2 numbers.
+    /// The derivative of V_p stress_p with respect to the gradient of the
+    /// increment (see Kinematics::stress_derivative).
     struct PointTangent
     {
       double A[dim * (dim + 1) / 2][dim * dim];

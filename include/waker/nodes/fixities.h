@@ -4,6 +4,7 @@
 
 #include <waker/grid/background_grid.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -23,17 +24,19 @@ namespace Waker
     std::string name; // of the subsection
 
     /// "left", "right", "bottom", "top", "back", "front" (faces of the grid's
-    /// box; y is vertical) or "box". A face also holds the margin beyond it.
+    /// box; y is vertical, back is the lower and front the upper z) or "box". A
+    /// face also holds the margin beyond it.
     std::string region = "bottom";
-    /// Limits the region: nodes outside [from, to] are left free. For "box"
-    /// it is the region. Empty: no limit.
+    /// Limits the region: nodes outside [from, to] (m) are left free. A face is
+    /// limited along its own directions only, not in the normal one. For "box"
+    /// it is the region, and both are needed. Empty: no limit.
     std::vector<double> from;
     std::vector<double> to;
-    /// "fixed": all components; "roller": the one normal to the face;
-    /// "prescribed": the components and displacements below.
+    /// "fixed": all components; "roller": the one normal to the face (not for
+    /// "box"); "prescribed": the components and displacements below.
     std::string type = "fixed";
-    /// For "prescribed": per component an expression of x, y, z, t (m), or
-    /// "free". For example "0.1*t; free".
+    /// For "prescribed": per component an expression (m) of the node's place x,
+    /// y, z (m) and of t (s), or "free". For example "0.1*t; free".
     std::string displacement;
     /// "elimination" removes the equations, "penalty" adds a stiff spring.
     std::string method = "elimination";
@@ -44,7 +47,8 @@ namespace Waker
     void
     add_parameters(ParameterHandler &prm);
 
-    /// @throws UserError with path "Boundary conditions/<name>/..."
+    /// @throws UserError with path "Boundary conditions/<name>/...": a region,
+    /// type or limit that the others or `dim` do not allow
     void
     check(const unsigned int dim) const;
   };
@@ -54,13 +58,19 @@ namespace Waker
    *
    * Displacements are total displacements since t = 0; a step from t to t + dt
    * prescribes the increment u(t + dt) - u(t).
+   *
+   * Where conditions meet in a dof, elimination wins over penalty, and then the
+   * later condition over the earlier one.
+   *
+   * The increments are evaluated with one parser per expression: not for
+   * several threads at a time.
    */
   template <int dim>
   class Fixities
   {
   public:
     /// @throws UserError if a region holds no node or an expression is wrong
-    Fixities(const BackgroundGrid<dim> &          grid,
+    Fixities(const BackgroundGrid<dim> &grid,
              const std::vector<FixityParameters> &parameters);
 
     ~Fixities();
@@ -83,17 +93,17 @@ namespace Waker
     struct Penalty
     {
       unsigned int dof;
-      double       factor;
+      double factor; // FixityParameters::penalty_factor
     };
 
-    /// Dofs held by penalty springs.
+    /// Dofs held by penalty springs, ascending.
     const std::vector<Penalty> &
     penalties() const
     {
       return penalty_dofs;
     }
 
-    /// Does anything move, that is, is an increment ever non-zero?
+    /// Does anything move, that is, does a displacement depend on time?
     bool
     has_prescribed_motion() const
     {
@@ -103,19 +113,19 @@ namespace Waker
     /// Increments u(t + dt) - u(t) of the removed dofs (in the order of
     /// removed_list()), m. All zero, and cheap, where nothing moves.
     void
-    removed_increments(const double         t,
-                       const double         dt,
+    removed_increments(const double t,
+                       const double dt,
                        std::vector<double> &increments) const;
 
     /// The same for the penalty dofs, in the order of penalties().
     void
-    penalty_increments(const double         t,
-                       const double         dt,
+    penalty_increments(const double t,
+                       const double dt,
                        std::vector<double> &increments) const;
 
-    /// Faces whose nodes are all fixed or on rollers in the normal direction:
-    /// bit 2d for the lower, 2d + 1 for the upper face in direction d. The
-    /// proximity field is mirrored there.
+    /// Faces of the box that are closed: each of their nodes is held at rest in
+    /// the normal direction by elimination. Bit 2d for the lower, 2d + 1 for
+    /// the upper face in direction d. The proximity field is mirrored there.
     unsigned int
     closed_faces() const
     {
@@ -126,11 +136,11 @@ namespace Waker
     struct Motion;
 
     std::vector<unsigned char> removed_dofs;
-    std::vector<unsigned int>  removed_dof_list;
-    std::vector<Penalty>       penalty_dofs;
-    bool                       moves            = false;
-    unsigned int               closed_face_bits = 0;
-    std::unique_ptr<Motion>    motion;
+    std::vector<unsigned int> removed_dof_list;
+    std::vector<Penalty> penalty_dofs;
+    bool moves                    = false;
+    unsigned int closed_face_bits = 0;
+    std::unique_ptr<Motion> motion;
   };
 } // namespace Waker
 

@@ -15,14 +15,18 @@ namespace Waker
    */
   struct DykeGeometry
   {
-    double height = 0.; // H: highest vertex of the surface (m)
-    double width  = 0.; // W: total width at the water level (m)
+    /// H: highest vertex of all chains, on the vertical axis (m); 0 if there
+    /// is no surface.
+    double height = 0.;
+    /// W: total width of the soil that rises above the water level, at that
+    /// level (m). A crest exactly at the level counts as not above it.
+    double width = 0.;
     /// The intervals [x0, x1] of soil at the water level, from left to right:
     /// W may be a sum of parts (fig. 5.2e).
     std::vector<std::array<double, 2>> parts;
   };
 
-  /// @param level water level (m)
+  /// @param level water level (m). Holes count as no soil.
   DykeGeometry
   measure_dyke(const Surface &surface, const double level);
 } // namespace Waker

@@ -11,20 +11,23 @@ namespace dealii
 
 namespace Waker
 {
+  using namespace dealii;
+
   /// Section "Output".
   struct OutputParameters
   {
     std::string directory = "output";
     /// Time between ParaView files (s); 0: none but the first and the last.
     double interval = 0.1;
-    bool   particles = true;
-    bool   surface   = true;
-    bool   grid      = true;
+    bool particles  = true;
+    bool surface    = true;
+    bool grid       = true;
     /// Time between checkpoints (simulated s); 0: only when interrupted.
     double checkpoint_interval = 1.;
 
     void
     add_parameters(ParameterHandler &prm);
+    /// @throws UserError "Output/..."
     void
     check() const;
   };

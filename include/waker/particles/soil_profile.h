@@ -4,8 +4,8 @@
 
 #include <waker/grid/background_grid.h>
 #include <waker/particles/material_points.h>
+#include <waker/particles/polygon.h>
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -35,7 +35,7 @@ namespace Waker
     /// Corners of the polygon, anticlockwise.
     /// @throws UserError "Soil profile/<name>/Polygon": fewer than 3 corners,
     /// not numbers, self-crossing, zero area
-    std::vector<std::array<double, 2>>
+    Polygon
     corners() const;
   };
 
@@ -44,8 +44,9 @@ namespace Waker
   {
     /// Points per cell and direction.
     unsigned int points_per_direction = 2;
-    /// A sub-cell of which a slope leaves less than this share is given to its
-    /// neighbour: its volume is kept, its point is not made.
+    /// A sub-cell of which a slope leaves less than this share is given to the
+    /// fullest neighbour of the same layer: its volume and first moment are
+    /// kept, its point is not made. 0 to 0.5.
     double minimum_cut = 0.25;
 
     void
@@ -56,29 +57,36 @@ namespace Waker
    * Make the material points of a soil profile: a regular lattice of
    * `points_per_direction` per cell, one support domain (sub-cell) each. A
    * sub-cell that a layer's edge cuts keeps the part inside: its point moves
-   * to the centroid of that part and gets its volume.
+   * to the centroid of that part and gets its volume. The support domain of
+   * every point is a whole sub-cell: `half_size` is h / (2
+   * points_per_direction) in each direction.
    *
    * Ids count from 0 in the order of creation (cells lexicographically, x
-   * fastest), which also keeps neighbours close in memory. `mass`, `velocity`
-   * and `material` are set; stress, acceleration and scalars are zero, empty.
+   * fastest, sub-cells likewise within a cell), which also keeps neighbours
+   * close in memory. `mass`, `velocity` and `material` are set; stress,
+   * acceleration and scalars are zero, empty.
+   *
+   * Corners that only round-off keeps off a line of the lattice are put on it.
    *
    * @param densities mass density of each material (Mg/m^3), by number
    * @param material_names to find a layer's material
-   * @throws UserError: no point at all, a polygon outside the grid, layers
-   * that overlap, an unknown material
+   * @throws UserError: no layers, a polygon or extent outside the grid's box
+   * (margin not included), layers that overlap, an unknown material, an extent
+   * or velocity of the wrong length; and what corners() throws
    */
   template <int dim>
   MaterialPoints<dim>
-  make_material_points(const BackgroundGrid<dim> &         grid,
+  make_material_points(const BackgroundGrid<dim> &grid,
                        const std::vector<LayerParameters> &layers,
-                       const MaterialPointParameters &     parameters,
-                       const std::vector<std::string> &    material_names,
-                       const std::vector<double> &         densities);
+                       const MaterialPointParameters &parameters,
+                       const std::vector<std::string> &material_names,
+                       const std::vector<double> &densities);
 
   /// Volume of the layers (area x extent), m^dim: what the points must have.
+  /// @throws UserError for polygons and extents as make_material_points()
   template <int dim>
   double
-  profile_volume(const BackgroundGrid<dim> &         grid,
+  profile_volume(const BackgroundGrid<dim> &grid,
                  const std::vector<LayerParameters> &layers);
 } // namespace Waker
 

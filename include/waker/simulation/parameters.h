@@ -21,10 +21,15 @@ namespace Waker
   {
     std::vector<double> lower_corner = {-6., 0.}; // m
     std::vector<double> upper_corner = {42., 6.}; // m
-    double              cell_size    = 0.25;      // m
+    double cell_size                 = 0.25;      // m
 
     void
     add_parameters(ParameterHandler &prm);
+    /// That the corners have `dim` numbers and the box is one; that it is a
+    /// multiple of the cell size is for BackgroundGrid to see.
+    /// @throws UserError "Grid/..."
+    void
+    check(const unsigned int dim) const;
   };
 
   /// Section "Strength reduction".
@@ -36,6 +41,7 @@ namespace Waker
 
     void
     add_parameters(ParameterHandler &prm);
+    /// @throws UserError "Strength reduction/..."
     void
     check() const;
   };
@@ -46,28 +52,40 @@ namespace Waker
    */
   struct Parameters
   {
-    unsigned int                  dimension = 2;
-    GridParameters                grid;
-    MaterialPointParameters       points;
+    unsigned int dimension = 2;
+    GridParameters grid;
+    MaterialPointParameters points;
     std::vector<MaterialParameters> materials;
-    std::vector<LayerParameters>    layers;
-    std::vector<FixityParameters>   fixities;
-    GravityParameters             gravity;
-    WaterParameters               water;
-    SurfaceParameters             surface;
-    MappingParameters             mapping;
-    TimeParameters                time;
-    NewtonParameters              newton;
-    InitialFailureParameters      initial_failure;
-    StopParameters                stop;
-    StrengthReductionParameters   strength_reduction;
-    OutputParameters              output;
+    std::vector<LayerParameters> layers;
+    std::vector<FixityParameters> fixities;
+    GravityParameters gravity;
+    WaterParameters water;
+    SurfaceParameters surface;
+    MappingParameters mapping;
+    TimeParameters time;
+    NewtonParameters newton;
+    InitialFailureParameters initial_failure;
+    StopParameters stop;
+    StrengthReductionParameters strength_reduction;
+    OutputParameters output;
 
     /// The .prm text of all values used, and its hash: they go with every
     /// output. Set by the reader; `hash` leaves "Output" and "Stop rules" and
-    /// the end time out: a run may be resumed with other values of those.
+    /// the end time out (and "Strength reduction"): a run may be resumed with
+    /// other values of those.
     std::string text;
     std::string hash;
+
+    /**
+     * All checks of single structs, and those between them: vectors of the
+     * right length, layers of known materials, water below the crest, a
+     * support for the static step. What needs the grid (layers inside it,
+     * overlaps) is checked where points are made.
+     *
+     * @throws UserError with the path of the parameter
+     */
+    void
+    check() const;
   };
 } // namespace Waker
 

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_mechanics_gravity_step_h
+#define waker_mechanics_gravity_step_h
+
+#include <waker/mechanics/stress_update.h>
+#include <waker/nodes/fixities.h>
+#include <waker/nodes/nodal_state.h>
+
+#include <vector>
+
+namespace Waker
+{
+  struct GravityReport
+  {
+    bool                converged = false;
+    std::vector<double> residuals; // relative, before and after each iteration
+  };
+
+  /**
+   * The in-situ stress: an elastic, quasi-static step with the points fixed in
+   * place (section 5.3 of Remmerswaal 2023). Sets the points' stress; nothing
+   * moves.
+   *
+   * The tangent of the internal force has no stiffness for some motions of
+   * nodes that only one support domain touches: a millionth of its diagonal is
+   * added, and the residual iterated away. 2D by a sparse factorisation, 3D by
+   * conjugate gradients.
+   *
+   * @param nodes in: mass, external_force (weight and water)
+   * @param full_node_mass see NewtonSolver: the norm of the residual is its
+   * @param tolerance of the relative residual
+   */
+  template <int dim>
+  GravityReport
+  gravity_step(const Materials &     materials,
+               const Weights<dim> &  weights,
+               const Fixities<dim> & fixities,
+               const double          full_node_mass,
+               const double          tolerance,
+               NodalState &          nodes,
+               MaterialPoints<dim> & points);
+} // namespace Waker
+
+#endif

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_mechanics_newton_h
+#define waker_mechanics_newton_h
+
+#include <waker/mechanics/consistent_tangent.h>
+#include <waker/mechanics/double_mapped_tangent.h>
+#include <waker/mechanics/parameters.h>
+#include <waker/mechanics/stress_update.h>
+#include <waker/mechanics/system_operator.h>
+#include <waker/nodes/fixities.h>
+#include <waker/nodes/nodal_state.h>
+
+namespace Waker
+{
+  /// What Newton did in one step.
+  struct NewtonReport
+  {
+    bool                converged         = false;
+    unsigned int        iterations        = 0; // linear systems solved
+    unsigned int        linear_iterations = 0;
+    /// Relative residual before each iteration and after the last.
+    std::vector<double> residuals;
+  };
+
+  /**
+   * Newton's method for the equations of a step,
+   *   R(u) = r (F_ext - F_int(u)) - M (k u - q) - springs (u - g) = 0,
+   * on the equations that are not removed (eq. 2.23 of Remmerswaal 2023).
+   *
+   * Convergence is measured by sqrt(sum_i phi_i |R_i|^2) relative to the same
+   * norm of the external, internal and inertial forces, where phi_i = m_i / m
+   * is the share of a full node's mass that node i has: the force on a node
+   * that a support domain has hardly touched means nothing, and does not count.
+   */
+  template <int dim>
+  class NewtonSolver
+  {
+  public:
+    /// All references must outlive this object.
+    /// @param full_node_mass mass of a node inside the body (Mg)
+    NewtonSolver(const Weights<dim> &    weights,
+                 const Fixities<dim> &   fixities,
+                 const NewtonParameters &parameters,
+                 const double            full_node_mass,
+                 const double            spring_stiffness);
+
+    /// The inertia term M (k u - q) and the ramp r.
+    struct Inertia
+    {
+      double             ramp    = 1.;
+      double             factor  = 0.;      // k, 1/s^2
+      const NodalVector *history = nullptr; // q, m/s^2
+    };
+
+    /**
+     * @param nodes in: mass, external_force, increment (the first guess, with
+     *        prescribed values in the removed dofs); out: increment,
+     *        internal_force
+     * @param spring_targets g of the penalty dofs (m)
+     */
+    NewtonReport
+    solve(const MaterialPoints<dim> &points,
+          const Inertia &            inertia,
+          const std::vector<double> &spring_targets,
+          StressUpdate<dim> &        stress_update,
+          NodalState &               nodes);
+
+  private:
+    /// R and its relative norm.
+    double
+    residual(const Inertia &            inertia,
+             const std::vector<double> &spring_targets,
+             const NodalState &         nodes);
+
+    const Fixities<dim> *    fixities;
+    NewtonParameters         parameters;
+    double                   full_node_mass;
+    std::vector<unsigned int> spring_dofs;
+    std::vector<double>       springs;
+    ConsistentTangent<dim>   consistent;
+    DoubleMappedTangent<dim> double_mapped;
+    LinearSolver             linear_solver;
+    NodalVector              R;
+    NodalVector              correction;
+  };
+} // namespace Waker
+
+#endif

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_mechanics_system_operator_h
+#define waker_mechanics_system_operator_h
+
+#include <deal.II/lac/diagonal_matrix.h>
+
+#include <waker/nodes/fixities.h>
+#include <waker/nodes/operator.h>
+
+#include <vector>
+
+namespace Waker
+{
+  /**
+   * K* = r K + k M + penalty springs on the equations that are not removed
+   * (eq. 2.24 of Remmerswaal 2023, with the residual ramp r).
+   */
+  class SystemOperator : public Operator
+  {
+  public:
+    /**
+     * @param stiffness K; must outlive this object, as all arguments
+     * @param ramp r
+     * @param inertia k: 4 / dt^2 for Newmark, 0 in a static step
+     * @param mass lumped, Mg, one per node (dim dofs each)
+     * @param springs stiffness of the penalty dofs (kN/m)
+     */
+    SystemOperator(const Operator &                 stiffness,
+                   const double                     ramp,
+                   const double                     inertia,
+                   const std::vector<double> &      mass,
+                   const std::vector<unsigned int> &removed,
+                   const std::vector<unsigned int> &spring_dofs,
+                   const std::vector<double> &      springs);
+
+    void
+    vmult(NodalVector &dst, const NodalVector &src) const override;
+
+    void
+    add_diagonal(NodalVector &diagonal) const override;
+
+    bool
+    is_symmetric() const override
+    {
+      return stiffness->is_symmetric();
+    }
+
+  private:
+    const Operator *                 stiffness;
+    double                           ramp;
+    double                           inertia;
+    const std::vector<double> *      mass;
+    const std::vector<unsigned int> *removed;
+    const std::vector<unsigned int> *spring_dofs;
+    const std::vector<double> *      springs;
+  };
+
+
+  /// What a linear solve did.
+  struct LinearReport
+  {
+    unsigned int iterations = 0;
+    bool         converged  = false;
+  };
+
+  /**
+   * Solve A x = b from x = 0 with Jacobi's preconditioner: by conjugate
+   * gradients if A says it is symmetric (GMRES if that breaks down in
+   * softening), else by GMRES. `x` holds the best iterate even without
+   * convergence.
+   *
+   * @param tolerance relative reduction of the preconditioned residual
+   */
+  class LinearSolver
+  {
+  public:
+    explicit LinearSolver(const unsigned int n_dofs);
+
+    LinearReport
+    solve(const Operator &   A,
+          NodalVector &      x,
+          const NodalVector &b,
+          const double       tolerance,
+          const unsigned int max_iterations);
+
+  private:
+    DiagonalMatrix<NodalVector> jacobi;
+  };
+} // namespace Waker
+
+#endif

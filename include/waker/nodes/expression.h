@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_nodes_expression_h
+#define waker_nodes_expression_h
+
+#include <deal.II/base/point.h>
+
+#include <memory>
+#include <string>
+
+namespace dealii
+{
+  template <int dim>
+  class FunctionParser;
+}
+
+namespace Waker
+{
+  using namespace dealii;
+
+  /**
+   * A function of place and time that the user writes: x, y, z (m), t (s), pi
+   * and the functions of muParser. Not for several threads at a time.
+   */
+  template <int dim>
+  class Expression
+  {
+  public:
+    /// @param path of the parameter, for the error
+    /// @throws UserError if the text is no expression
+    Expression(const std::string &text, const std::string &path);
+
+    ~Expression();
+    Expression(Expression &&);
+
+    double
+    value(const Point<dim> &x, const double t) const;
+
+    const std::string &
+    text() const
+    {
+      return expression;
+    }
+
+    /// Does it contain the time?
+    bool
+    moves() const
+    {
+      return moving;
+    }
+
+    /// Is it the same everywhere?
+    bool
+    is_uniform() const
+    {
+      return uniform;
+    }
+
+  private:
+    std::string expression;
+    std::unique_ptr<FunctionParser<dim>> parser;
+    bool moving;
+    bool uniform;
+  };
+} // namespace Waker
+
+#endif

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_particles_layer_h
+#define waker_particles_layer_h
+
+#include <deal.II/base/tensor.h>
+
+#include <waker/grid/background_grid.h>
+#include <waker/particles/soil_profile.h>
+
+#include <string>
+#include <vector>
+
+namespace Waker
+{
+  /// A layer of the soil profile that has passed its checks.
+  template <int dim>
+  struct Layer
+  {
+    std::string path;           // "Soil profile/<name>"
+    Polygon corners;            // m, anticlockwise, inside the grid's box
+    double begin          = 0.; // extent along z (m); in 2D a slice of 1 m
+    double end            = 1.;
+    unsigned int material = 0; // number
+    Tensor<1, dim> velocity;   // m/s
+
+    /// Volume (m^dim).
+    double
+    volume() const
+    {
+      return signed_area(corners) * (end - begin);
+    }
+  };
+
+  /// Corners and extent of a layer; its material and velocity are left open.
+  /// @throws UserError "Soil profile/<name>/Polygon" or ".../Extent": no simple
+  /// polygon, outside the grid's box, not two ascending numbers, extent in 2D
+  template <int dim>
+  Layer<dim>
+  place_layer(const BackgroundGrid<dim> &grid,
+              const LayerParameters &parameters);
+
+  /// Set the layer's material and velocity.
+  /// @throws UserError ".../Material": unknown; ".../Velocity": wrong length
+  template <int dim>
+  void
+  fill_layer(const LayerParameters &parameters,
+             const std::vector<std::string> &material_names,
+             Layer<dim> &layer);
+
+  /// @throws UserError ".../Polygon" if two layers have more than 1e-9 of the
+  /// smaller one in common
+  template <int dim>
+  void
+  check_overlap(const std::vector<Layer<dim>> &layers);
+} // namespace Waker
+
+#endif

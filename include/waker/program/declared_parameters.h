@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_program_declared_parameters_h
+#define waker_program_declared_parameters_h
+
+#include <string>
+#include <vector>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace Waker
+{
+  using namespace dealii;
+
+  struct Parameters;
+
+  /// The names that the user gives to subsections.
+  struct ParameterNames
+  {
+    std::vector<std::string> materials;  // Materials/Names
+    std::vector<std::string> layers;     // Soil profile/Layers
+    std::vector<std::string> conditions; // Boundary conditions/Names
+  };
+
+  /// A parameter as `prm` knows it.
+  struct DeclaredParameter
+  {
+    std::string section; // "Materials/clay", or empty at the top level
+    std::string name;
+    std::string value;
+    std::string default_value;
+    std::string pattern; // deal.II's description, "[Double 0...1 (inclusive)]"
+    std::string documentation;
+
+    std::string
+    path() const;
+  };
+
+  /**
+   * Declare every parameter, in the order in which a reader wants to see
+   * them; the lists of names get their values from `names`. `parameters` gets
+   * one material, layer and condition per name, and must not move or resize
+   * them as long as `prm` sets values.
+   */
+  void
+  declare_parameters(ParameterHandler &prm,
+                     Parameters &parameters,
+                     const ParameterNames &names);
+
+  /// What has been declared, in that order, with the values of now.
+  std::vector<DeclaredParameter>
+  declared_parameters(const ParameterHandler &prm);
+
+  /// A deal.II pattern in words: "a number from 0 to 1", "one of a, b".
+  std::string
+  pattern_in_words(const std::string &pattern);
+
+  /// Does the value fit the pattern?
+  bool
+  matches_pattern(const std::string &value, const std::string &pattern);
+
+  /// A value that fits, in one way of writing: 1e3 and 1000.0 become 1000, so
+  /// that the hash of a case depends on values, not on how they are written.
+  std::string
+  normalised(const std::string &value, const std::string &pattern);
+} // namespace Waker
+
+#endif

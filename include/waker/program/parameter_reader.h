@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_program_parameter_reader_h
+#define waker_program_parameter_reader_h
+
+#include <waker/base/errors.h>
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace Waker
+{
+  struct Parameters;
+
+  /// Where each parameter of a case was set: turns the paths in the errors of
+  /// all rooms into files and lines.
+  class ParameterLocations
+  {
+  public:
+    /// Name of the file, or "standard input".
+    std::string source;
+    /// "dyke.prm:12" or "--set Section/Name" by path of parameter or section.
+    std::map<std::string, std::string> lines;
+    /// Paths of all parameters that exist.
+    std::set<std::string> known;
+
+    /**
+     * "dyke.prm:12" where the file sets the parameter (or opens the section),
+     * "dyke.prm (default of Section/Name)" where it does not. Anything that is
+     * no path of a parameter is returned as it is.
+     */
+    std::string
+    where(const std::string &path) const;
+
+    /// The same error with `where` turned into file and line.
+    UserError
+    located(const UserError &error) const;
+  };
+
+  /**
+   * Read and check a case.
+   *
+   * @param source a .prm file, or "-" for standard input
+   * @param overrides "Section/Name=value", stronger than the file
+   * @param locations if not null, gets the line numbers, for errors that are
+   *        found later
+   * @throws UserError with file and line, or with "--set Section/Name"
+   */
+  std::unique_ptr<Parameters>
+  read_parameters(const std::string &source,
+                  const std::vector<std::string> &overrides,
+                  ParameterLocations *locations = nullptr);
+} // namespace Waker
+
+#endif

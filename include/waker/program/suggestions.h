@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_program_suggestions_h
+#define waker_program_suggestions_h
+
+#include <waker/program/declared_parameters.h>
+#include <waker/program/prm_scanner.h>
+
+#include <string>
+#include <vector>
+
+namespace Waker
+{
+  /// The candidate that `name` most likely stands for (fewest edits, capitals
+  /// ignored), or nothing where none is near.
+  std::string
+  nearest_name(const std::string &name,
+               const std::vector<std::string> &candidates);
+
+  /// @throws UserError if the section does not exist, with the nearest one
+  void
+  check_section(const PrmSection &section,
+                const std::vector<DeclaredParameter> &declared);
+
+  /**
+   * @return the declaration of an entry
+   * @throws UserError if there is none, with the nearest name, or the section
+   * where that name is at home
+   */
+  const DeclaredParameter &
+  find_declared(const PrmEntry &entry,
+                const std::vector<DeclaredParameter> &declared);
+} // namespace Waker
+
+#endif

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_simulation_describe_h
+#define waker_simulation_describe_h
+
+#include <waker/simulation/case.h>
+#include <waker/simulation/state.h>
+
+#include <string>
+
+namespace Waker
+{
+  class Log;
+
+  /// What the run is about to do, and the checks that a modeller would make:
+  /// size, wave CFL, points per cell, initial stress, memory.
+  template <int dim>
+  void
+  describe_case(const Case<dim> &the_case, Log &log);
+
+  /// What came out, in a few lines.
+  template <int dim>
+  void
+  describe_result(const State<dim> & state,
+                  const std::string &outcome,
+                  const std::string &reason,
+                  const double       wall_time,
+                  Log &              log);
+} // namespace Waker
+
+#endif

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_simulation_realisation_h
+#define waker_simulation_realisation_h
+
+#include <waker/mechanics/time_scheme.h>
+#include <waker/observers/observer.h>
+#include <waker/simulation/case.h>
+#include <waker/simulation/state.h>
+
+#include <memory>
+
+namespace Waker
+{
+  /**
+   * One realisation: the algorithm. The caller turns the handle:
+   *
+   *   while (realisation.look() == StopReason::none)
+   *     realisation.advance();
+   *
+   * Between the two the state is that of one moment, and may be watched
+   * (view()), written to disk, or taken away.
+   */
+  template <int dim>
+  class Realisation
+  {
+  public:
+    /// Both are kept by reference; the state is advanced in place.
+    Realisation(const Case<dim> &the_case, State<dim> &state);
+
+    /// Map the points, find the surface and the loads, measure the dyke, and
+    /// decide whether the run is over. Idempotent.
+    StopReason
+    look();
+
+    /// One step from the moment last looked at.
+    /// @throws NumericalFailure if it does not converge at the smallest dt
+    void
+    advance();
+
+    StepView<dim>
+    view() const;
+
+    /// The step that advance() would take next (s).
+    double
+    next_time_step() const;
+
+  private:
+    const Case<dim> *                the_case;
+    State<dim> *                     state;
+    Scene<dim>                       scene;
+    std::unique_ptr<TimeScheme<dim>> scheme;
+    StepReport<dim>                  report; // of the last step
+  };
+} // namespace Waker
+
+#endif

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_simulation_recorder_h
+#define waker_simulation_recorder_h
+
+#include <waker/observers/observer.h>
+#include <waker/output/checkpoint.h>
+#include <waker/output/pvd.h>
+#include <waker/output/statistics.h>
+#include <waker/output/summary.h>
+#include <waker/simulation/parameters.h>
+#include <waker/simulation/state.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Waker
+{
+  /**
+   * Writes a run to its folder: statistics, ParaView files, checkpoints,
+   * summary. Its own progress goes into the checkpoints, so that a run which is
+   * killed and resumed leaves the same files as one that was not.
+   */
+  template <int dim>
+  class Recorder
+  {
+  public:
+    /// A new run in a prepared folder.
+    explicit Recorder(const Parameters &parameters);
+
+    /// Go on from the last checkpoint, which sets `state`.
+    /// @throws UserError "Output/Directory" if there is none that fits
+    Recorder(const Parameters &parameters, State<dim> &state);
+
+    /// A line for the user about the checkpoint, or empty.
+    const std::string &
+    warning() const
+    {
+      return resume_warning;
+    }
+
+    /// A row of statistics, and ParaView files if it is time.
+    /// @param last the last moment of the run: always written
+    void
+    record(const StepView<dim> &view, const bool last);
+
+    /// A checkpoint if it is time, or if `now`. Comes after record().
+    void
+    checkpoint(const State<dim> &state, const bool now);
+
+    void
+    write_summary(const State<dim> & state,
+                  const std::string &outcome,
+                  const std::string &stop_reason,
+                  const double       wall_time) const;
+
+  private:
+    void
+    write_fields(const StepView<dim> &view);
+
+    const Parameters *parameters;
+    CheckpointSlots   slots;
+    PvdSeries         particles;
+    PvdSeries         surfaces;
+    PvdSeries         grids;
+    std::string       resume_warning;
+
+    std::vector<std::unique_ptr<Observer<dim>>> observers;
+    std::unique_ptr<Statistics>                 statistics;
+
+    double next_fields     = 0.; // time of the next ParaView files, s
+    double next_checkpoint = 0.; // s
+  };
+} // namespace Waker
+
+#endif

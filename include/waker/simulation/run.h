@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_simulation_run_h
+#define waker_simulation_run_h
+
+#include <deal.II/base/mpi.h>
+
+#include <csignal>
+
+namespace Waker
+{
+  struct Parameters;
+
+  struct RunOptions
+  {
+    bool validate_only = false; // check everything, write nothing
+    bool resume        = false; // go on from the last checkpoint
+    bool overwrite     = false; // of results of an earlier run
+    /// Not 0: end cleanly with a checkpoint. May be null.
+    const volatile std::sig_atomic_t *interrupt = nullptr;
+  };
+
+  enum class RunStatus
+  {
+    completed,
+    numerical_failure, // recorded in the summary
+    interrupted        // a checkpoint is there
+  };
+
+  /**
+   * Run one realisation with full output to the folder Output/Directory.
+   *
+   * @throws UserError before anything is written
+   */
+  template <int dim>
+  RunStatus
+  run(const Parameters & parameters,
+      const RunOptions & options,
+      const MPI_Comm     communicator);
+
+  /**
+   * Find the factor of safety by strength reduction: realisations with all
+   * strengths divided by a factor, softening modulus kept, until the factors
+   * of a stable and of a failed one are closer than the tolerance. Failed =
+   * initial failure before the end time. Writes strength_reduction.csv (one
+   * line a factor) and strength_reduction.json.
+   *
+   * @throws UserError before anything is written
+   */
+  template <int dim>
+  RunStatus
+  run_strength_reduction(const Parameters & parameters,
+                         const RunOptions & options,
+                         const MPI_Comm     communicator);
+} // namespace Waker
+
+#endif

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/parameter_handler.h>
+
+#include <waker/boundary/proximity_field.h>
+#include <waker/boundary/water_load.h>
+
+namespace Waker
+{
+  void
+  SurfaceParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Kernel radius",
+                      kernel_radius,
+                      "Radius of the kernel of the proximity field, in cells, "
+                      "0.5 to 2. A larger one gives a smoother surface but "
+                      "rounds corners and closes gaps narrower than itself; "
+                      "below 0.75 the surface follows single points.",
+                      Patterns::Double(0.5, 2.));
+    prm.add_parameter("Threshold",
+                      threshold,
+                      "Value of the proximity field at the surface, 0.05 to "
+                      "0.95 (the field is about 1 inside the body). With 0.5 "
+                      "a flat face has no mean offset; less moves the surface "
+                      "outwards.",
+                      Patterns::Double(0.05, 0.95));
+    prm.add_parameter("Mirror",
+                      mirror,
+                      "Mirror the kernels at fixed faces of the grid. Without, "
+                      "the field is halved there and the surface curls inward.",
+                      Patterns::Bool());
+  }
+
+
+
+  void
+  WaterParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Side",
+                      side,
+                      "Side of the dyke on which the water stands: none, left "
+                      "or right. It loads the surface from the toe on this "
+                      "side up to the water level.",
+                      Patterns::Selection("none|left|right"));
+    prm.add_parameter("Level",
+                      level,
+                      "Water level on the vertical axis, in m. The width of "
+                      "the dyke is measured at this level, also without water.",
+                      Patterns::Double());
+    prm.add_parameter("Unit weight",
+                      unit_weight,
+                      "Unit weight of water, in kN/m^3, not negative.",
+                      Patterns::Double(0.));
+    prm.add_parameter("Minimum support",
+                      minimum_support,
+                      "A node carries water load only if its mass is at least "
+                      "this share of the mass of a node inside the body, 0 to "
+                      "0.5; its load otherwise goes to nodes nearby that do, "
+                      "with the same resultant and moment.",
+                      Patterns::Double(0., 0.5));
+  }
+} // namespace Waker

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/parameter_handler.h>
+
+#include <waker/base/errors.h>
+#include <waker/control/parameters.h>
+
+namespace Waker
+{
+  namespace
+  {
+    /// deal.II's Patterns::Double(0) admits 0.
+    void
+    require_positive(const std::string &path, const double value)
+    {
+      if (!(value > 0.))
+        throw UserError(path,
+                        "is " + Patterns::Tools::to_string(value),
+                        "a number above 0");
+    }
+  } // namespace
+
+
+  void
+  InitialFailureParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Width change",
+                      width_change,
+                      "A dyke has failed initially when its width at the water "
+                      "level differs from the first detected one by more than "
+                      "this (m), above 0. The reading of the thesis counts a "
+                      "loss of width only; both are recorded.",
+                      Patterns::Double(0.));
+    prm.add_parameter("Height loss",
+                      height_loss,
+                      "Or when its height has dropped by more than this (m), "
+                      "above 0.",
+                      Patterns::Double(0.));
+  }
+
+
+  void
+  InitialFailureParameters::check() const
+  {
+    require_positive("Initial failure/Width change", width_change);
+    require_positive("Initial failure/Height loss", height_loss);
+  }
+
+
+  void
+  StopParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("On flooding",
+                      on_flooding,
+                      "Stop when the dyke is lower than the water.",
+                      Patterns::Bool());
+    prm.add_parameter("At rest",
+                      at_rest,
+                      "Stop when nothing moves any more, failed or not, as "
+                      "the following limits say.",
+                      Patterns::Bool());
+    prm.add_parameter("Rest plastic strain",
+                      rest_plastic_strain,
+                      "At rest: mean plastic strain increment of a step (-) "
+                      "below this, above 0.",
+                      Patterns::Double(0.));
+    prm.add_parameter("Rest velocity",
+                      rest_velocity,
+                      "At rest: root mean square displacement rate (m/s) below "
+                      "this, above 0.",
+                      Patterns::Double(0.));
+    prm.add_parameter("Rest duration",
+                      rest_duration,
+                      "Both must be below their limits for this time (s), "
+                      "above 0.",
+                      Patterns::Double(0.));
+    prm.add_parameter("On initial failure",
+                      on_initial_failure,
+                      "Stop at initial failure (a strength reduction does).",
+                      Patterns::Bool());
+  }
+
+
+  void
+  StopParameters::check() const
+  {
+    require_positive("Stop rules/Rest plastic strain", rest_plastic_strain);
+    require_positive("Stop rules/Rest velocity", rest_velocity);
+    require_positive("Stop rules/Rest duration", rest_duration);
+  }
+} // namespace Waker

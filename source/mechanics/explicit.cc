@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/mapping/stencil.h>
+#include <waker/mechanics/energy.h>
+#include <waker/mechanics/time_scheme.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Waker
+{
+  namespace
+  {
+    template <int dim>
+    class Explicit : public TimeScheme<dim>
+    {
+    public:
+      explicit Explicit(const SchemeInput<dim> &in)
+        : in(in)
+        , stress_update(in.materials, in.objective_rate)
+        , spring_stiffness(stiffest_modulus(in.materials) *
+                           std::pow(in.grid.cell_size(), dim - 2))
+        , stretched(in.grid.n_dofs())
+      {}
+
+      double
+      time_step(const MaterialPoints<dim> &points) const override
+      {
+        double largest = 0.;
+        for (const Tensor<1, dim> &v : points.velocity)
+          largest = std::max(largest, v.norm_square());
+        return in.time.courant_number * in.grid.cell_size() /
+               (wave_speed(in.materials) + std::sqrt(largest));
+      }
+
+      StepReport<dim>
+      solve(const MaterialPoints<dim> &points,
+            const Weights<dim> &       weights,
+            const double               t,
+            const double               dt,
+            NodalState &               nodes) override;
+
+      void
+      update_points(const Weights<dim> & weights,
+                    const double         t,
+                    const double         dt,
+                    NodalState &         nodes,
+                    MaterialPoints<dim> &points,
+                    StepReport<dim> &    report) override;
+
+    private:
+      const SchemeInput<dim> in;
+      StressUpdate<dim>      stress_update;
+      double                 spring_stiffness;
+      NodalVector            stretched; // increments that strain the points, m
+      std::vector<double>    removed_increments;
+      std::vector<double>    spring_targets;
+    };
+
+
+    template <int dim>
+    StepReport<dim>
+    Explicit<dim>::solve(const MaterialPoints<dim> &points,
+                         const Weights<dim> &       weights,
+                         const double               t,
+                         const double               dt,
+                         NodalState &               nodes)
+    {
+      const Stencil<dim> stencil(in.grid);
+      nodes.internal_force = 0.;
+      double *const internal = nodes.internal_force.begin();
+      for (std::size_t p = 0; p < points.n_points(); ++p)
+        {
+          Tensor<2, dim> P;
+          for (unsigned int i = 0; i < dim; ++i)
+            for (unsigned int j = 0; j < dim; ++j)
+              P[i][j] = points.volume[p] * points.stress[p][i][j];
+          stencil.scatter_gradient(weights[p], P, internal);
+        }
+
+      const double ramp = residual_ramp(t + dt, in.time.ramp_duration);
+      const double *const external = nodes.external_force.begin();
+      double *const       v        = nodes.velocity.begin();
+      double *const       new_v    = nodes.new_velocity.begin();
+      double *const       new_a    = nodes.new_acceleration.begin();
+      double *const       u        = nodes.increment.begin();
+
+      in.fixities.removed_increments(t, dt, removed_increments);
+      in.fixities.penalty_increments(t, dt, spring_targets);
+      const auto &removed = in.fixities.removed_list();
+      for (std::size_t k = 0; k < removed.size(); ++k)
+        v[removed[k]] = removed_increments[k] / dt;
+
+      for (std::size_t i = 0; i < nodes.mass.size(); ++i)
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            const std::size_t dof = dim * i + c;
+            new_a[dof] =
+              nodes.mass[i] > 0. ?
+                ramp * (external[dof] - internal[dof]) / nodes.mass[i] :
+                0.;
+          }
+      // A spring as stiff as a penalty would need far smaller steps: taken
+      // implicitly it needs none.
+      const auto &springs = in.fixities.penalties();
+      for (std::size_t k = 0; k < springs.size(); ++k)
+        {
+          const unsigned int dof  = springs[k].dof;
+          const double       mass = nodes.mass[dof / dim];
+          if (mass > 0.)
+            {
+              const double stiffness = springs[k].factor * spring_stiffness;
+              new_a[dof] = (mass * new_a[dof] +
+                            stiffness * (spring_targets[k] - dt * v[dof])) /
+                           (mass + stiffness * dt * dt);
+            }
+        }
+      for (const unsigned int dof : removed)
+        new_a[dof] = 0.;
+
+      for (std::size_t dof = 0; dof < in.grid.n_dofs(); ++dof)
+        {
+          new_v[dof] = v[dof] + dt * new_a[dof];
+          u[dof]     = dt * new_v[dof];
+        }
+      StepReport<dim> report;
+      report.converged = true;
+      return report;
+    }
+
+
+    template <int dim>
+    void
+    Explicit<dim>::update_points(const Weights<dim> & weights,
+                                 const double,
+                                 const double         dt,
+                                 NodalState &         nodes,
+                                 MaterialPoints<dim> &points,
+                                 StepReport<dim> &    report)
+    {
+      const Stencil<dim>  stencil(in.grid);
+      const double *const new_a  = nodes.new_acceleration.begin();
+      const double *const u      = nodes.increment.begin();
+      stretched                  = 0.;
+      double *const star         = stretched.begin();
+      double        displacement = 0., mass = 0.;
+      for (std::size_t p = 0; p < points.n_points(); ++p)
+        {
+          const Tensor<1, dim> a  = stencil.value(weights[p], new_a);
+          const Tensor<1, dim> du = stencil.value(weights[p], u);
+          points.velocity[p] += dt * a;
+          points.position[p] += du;
+          points.acceleration[p] = a;
+          displacement += points.mass[p] * du.norm_square();
+          mass += points.mass[p];
+          stencil.scatter_value(weights[p],
+                                points.mass[p] * points.velocity[p],
+                                star);
+        }
+      for (std::size_t i = 0; i < nodes.mass.size(); ++i)
+        if (nodes.mass[i] > 0.)
+          for (unsigned int c = 0; c < dim; ++c)
+            star[dim * i + c] *= dt / nodes.mass[i];
+      const auto &removed = in.fixities.removed_list();
+      for (std::size_t k = 0; k < removed.size(); ++k)
+        star[removed[k]] = removed_increments[k];
+
+      // evaluate() overwrites the internal force: the reaction comes first.
+      const double *const internal = nodes.internal_force.begin();
+      const double *const external = nodes.external_force.begin();
+      for (const unsigned int dof : removed)
+        {
+          report.reaction[dof % dim] += internal[dof] - external[dof];
+          report.support_work += (internal[dof] - external[dof]) * u[dof];
+        }
+      for (std::size_t i = 0; i < nodes.mass.size(); ++i)
+        {
+          report.gravity_work -= nodes.mass[i] * in.gravity * u[dim * i + 1];
+          for (unsigned int c = 0; c < dim; ++c)
+            report.water_work += external[dim * i + c] * u[dim * i + c];
+        }
+      report.water_work -= report.gravity_work;
+
+      stress_update.evaluate(points, weights, stretched, nodes.internal_force);
+      const StressReport stress =
+        stress_update.accept(weights, stretched, points);
+      report.mean_plastic_strain = stress.plastic_strain;
+      report.displacement_rate   = std::sqrt(displacement / mass) / dt;
+      report.dissipation         = stress.dissipation;
+      report.elastic_energy      = stress.elastic_energy;
+      report.kinetic_energy      = kinetic_energy(points);
+    }
+  } // namespace
+
+
+  template <int dim>
+  std::unique_ptr<TimeScheme<dim>>
+  make_explicit(const SchemeInput<dim> &input)
+  {
+    return std::make_unique<Explicit<dim>>(input);
+  }
+
+
+  template std::unique_ptr<TimeScheme<2>>
+  make_explicit(const SchemeInput<2> &);
+  template std::unique_ptr<TimeScheme<3>>
+  make_explicit(const SchemeInput<3> &);
+} // namespace Waker

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/mapping/transfer.h>
+#include <waker/mechanics/energy.h>
+#include <waker/mechanics/time_scheme.h>
+
+#include <cmath>
+
+namespace Waker
+{
+  namespace
+  {
+    template <int dim>
+    class Newmark : public TimeScheme<dim>
+    {
+    public:
+      explicit Newmark(const SchemeInput<dim> &in)
+        : in(in)
+        , stress_update(in.materials, in.objective_rate)
+        , newton(in.weights,
+                 in.fixities,
+                 in.newton,
+                 in.full_node_mass,
+                 stiffest_modulus(in.materials) *
+                   std::pow(in.grid.cell_size(), dim - 2))
+        , history(in.grid.n_dofs())
+      {}
+
+      double
+      time_step(const MaterialPoints<dim> &) const override
+      {
+        return in.time.time_step;
+      }
+
+      StepReport<dim>
+      solve(const MaterialPoints<dim> &points,
+            const Weights<dim> &       weights,
+            const double               t,
+            const double               dt,
+            NodalState &               nodes) override;
+
+      void
+      update_points(const Weights<dim> & weights,
+                    const double         t,
+                    const double         dt,
+                    NodalState &         nodes,
+                    MaterialPoints<dim> &points,
+                    StepReport<dim> &    report) override;
+
+    private:
+      const SchemeInput<dim> in;
+      StressUpdate<dim>      stress_update;
+      NewtonSolver<dim>      newton;
+      NodalVector            history; // 4 v / dt + a, m/s^2
+      std::vector<double>    removed_increments;
+      std::vector<double>    spring_targets;
+    };
+
+
+    template <int dim>
+    StepReport<dim>
+    Newmark<dim>::solve(const MaterialPoints<dim> &points,
+                        const Weights<dim> &,
+                        const double t,
+                        const double dt,
+                        NodalState & nodes)
+    {
+      in.fixities.removed_increments(t, dt, removed_increments);
+      in.fixities.penalty_increments(t, dt, spring_targets);
+
+      // A support moves at constant velocity through the step.
+      double *const v       = nodes.velocity.begin();
+      double *const a       = nodes.acceleration.begin();
+      const auto &  removed = in.fixities.removed_list();
+      for (std::size_t k = 0; k < removed.size(); ++k)
+        {
+          v[removed[k]] = removed_increments[k] / dt;
+          a[removed[k]] = 0.;
+        }
+
+      double *const     u = nodes.increment.begin();
+      double *const     q = history.begin();
+      const std::size_t n = in.grid.n_dofs();
+      for (std::size_t i = 0; i < n; ++i)
+        {
+          q[i] = 4. / dt * v[i] + a[i];
+          u[i] = in.newton.predictor ? dt * v[i] + 0.5 * dt * dt * a[i] : 0.;
+        }
+      for (std::size_t k = 0; k < removed.size(); ++k)
+        u[removed[k]] = removed_increments[k];
+
+      typename NewtonSolver<dim>::Inertia inertia;
+      inertia.ramp    = residual_ramp(t + dt, in.time.ramp_duration);
+      inertia.factor  = 4. / (dt * dt);
+      inertia.history = &history;
+      const NewtonReport newton_report =
+        newton.solve(points, inertia, spring_targets, stress_update, nodes);
+
+      StepReport<dim> report;
+      report.converged         = newton_report.converged;
+      report.newton_iterations = newton_report.iterations;
+      report.linear_iterations = newton_report.linear_iterations;
+      report.residuals         = newton_report.residuals;
+
+      double *const new_v = nodes.new_velocity.begin();
+      double *const new_a = nodes.new_acceleration.begin();
+      for (std::size_t i = 0; i < n; ++i)
+        {
+          new_v[i] = 2. / dt * u[i] - v[i];                // eq. 2.21
+          new_a[i] = 4. / (dt * dt) * u[i] - q[i];         // eq. 2.20
+        }
+      return report;
+    }
+
+
+    template <int dim>
+    void
+    Newmark<dim>::update_points(const Weights<dim> & weights,
+                                const double         t,
+                                const double         dt,
+                                NodalState &         nodes,
+                                MaterialPoints<dim> &points,
+                                StepReport<dim> &    report)
+    {
+      const double kinetic_before = kinetic_energy(points);
+      const double kinetic_nodes_before =
+        kinetic_energy<dim>(nodes.mass, nodes.velocity);
+      const double kinetic_nodes_after =
+        kinetic_energy<dim>(nodes.mass, nodes.new_velocity);
+
+      const StressReport stress =
+        stress_update.accept(weights, nodes.increment, points);
+      const TransferReport moved = to_particles(nodes, weights, dt, points);
+
+      report.mean_plastic_strain = stress.plastic_strain;
+      report.displacement_rate =
+        std::sqrt(moved.squared_displacement / moved.mass) / dt;
+      report.dissipation    = stress.dissipation;
+      report.elastic_energy = stress.elastic_energy;
+      report.kinetic_energy = kinetic_energy(points);
+
+      // Work of the external and inertial forces over the step.
+      const double *const u        = nodes.increment.begin();
+      const double *const external = nodes.external_force.begin();
+      const double *const internal = nodes.internal_force.begin();
+      const double *const a        = nodes.acceleration.begin();
+      double              external_work = 0., inertia_work = 0.;
+      for (std::size_t i = 0; i < nodes.mass.size(); ++i)
+        {
+          report.gravity_work -=
+            nodes.mass[i] * in.gravity * u[dim * i + 1];
+          for (unsigned int c = 0; c < dim; ++c)
+            {
+              external_work += external[dim * i + c] * u[dim * i + c];
+              inertia_work += nodes.mass[i] * a[dim * i + c] * u[dim * i + c];
+            }
+        }
+      report.water_work = external_work - report.gravity_work;
+
+      const double r_start = residual_ramp(t, in.time.ramp_duration);
+      const double r_end   = residual_ramp(t + dt, in.time.ramp_duration);
+      report.ramp_work =
+        0.5 * ((1. - r_start) * (external_work - stress.work_start) +
+               (1. - r_end) * (external_work - stress.work_end));
+      // What the way from points to nodes and back takes: kinetic energy, and
+      // the work that the force at the start would have done over the work of
+      // the acceleration that the nodes were given instead.
+      report.mapping_loss =
+        (kinetic_before - kinetic_nodes_before) +
+        (kinetic_nodes_after - report.kinetic_energy) +
+        0.5 * (r_start * (external_work - stress.work_start) - inertia_work);
+
+      const double *const new_a = nodes.new_acceleration.begin();
+      for (const unsigned int dof : in.fixities.removed_list())
+        {
+          const double force = r_end * (internal[dof] - external[dof]) +
+                               nodes.mass[dof / dim] * new_a[dof];
+          report.reaction[dof % dim] += internal[dof] - external[dof];
+          report.support_work += force * u[dof];
+        }
+    }
+  } // namespace
+
+
+  template <int dim>
+  std::unique_ptr<TimeScheme<dim>>
+  make_newmark(const SchemeInput<dim> &input)
+  {
+    return std::make_unique<Newmark<dim>>(input);
+  }
+
+
+  template std::unique_ptr<TimeScheme<2>>
+  make_newmark(const SchemeInput<2> &);
+  template std::unique_ptr<TimeScheme<3>>
+  make_newmark(const SchemeInput<3> &);
+} // namespace Waker

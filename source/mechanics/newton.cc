@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/mechanics/newton.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Waker
+{
+  template <int dim>
+  NewtonSolver<dim>::NewtonSolver(const Weights<dim> &    weights,
+                                  const Fixities<dim> &   fixities,
+                                  const NewtonParameters &parameters,
+                                  const double            full_node_mass,
+                                  const double            spring_stiffness)
+    : fixities(&fixities)
+    , parameters(parameters)
+    , full_node_mass(full_node_mass)
+    , consistent(weights)
+    , double_mapped(weights)
+    , linear_solver(weights.background_grid().n_dofs())
+    , R(weights.background_grid().n_dofs())
+    , correction(weights.background_grid().n_dofs())
+  {
+    for (const auto &penalty : fixities.penalties())
+      {
+        spring_dofs.push_back(penalty.dof);
+        springs.push_back(penalty.factor * spring_stiffness);
+      }
+  }
+
+
+  template <int dim>
+  double
+  NewtonSolver<dim>::residual(const Inertia &            inertia,
+                              const std::vector<double> &spring_targets,
+                              const NodalState &         nodes)
+  {
+    const double *const external = nodes.external_force.begin();
+    const double *const internal = nodes.internal_force.begin();
+    const double *const u        = nodes.increment.begin();
+    const double *const q =
+      inertia.history != nullptr ? inertia.history->begin() : nullptr;
+    double *const r = R.begin();
+
+    const std::size_t n = nodes.mass.size();
+    for (std::size_t i = 0; i < n; ++i)
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          const std::size_t dof = dim * i + c;
+          r[dof]                = inertia.ramp * (external[dof] - internal[dof]);
+          if (q != nullptr)
+            r[dof] -= nodes.mass[i] * (inertia.factor * u[dof] - q[dof]);
+        }
+    for (std::size_t k = 0; k < springs.size(); ++k)
+      if (nodes.mass[spring_dofs[k] / dim] > 0.)
+        r[spring_dofs[k]] -=
+          springs[k] * (u[spring_dofs[k]] - spring_targets[k]);
+    for (const unsigned int dof : fixities->removed_list())
+      r[dof] = 0.;
+
+    const unsigned char *const removed = fixities->removed().data();
+    double                     sum = 0., reference = 0.;
+    for (std::size_t i = 0; i < n; ++i)
+      if (nodes.mass[i] > 0.)
+        {
+          const double share = std::min(1., nodes.mass[i] / full_node_mass);
+          double       node_sum = 0., node_reference = 0.;
+          for (unsigned int c = 0; c < dim; ++c)
+            if (!removed[dim * i + c])
+              {
+                const std::size_t dof = dim * i + c;
+                const double      inertial =
+                  q != nullptr ?
+                    nodes.mass[i] * (inertia.factor * u[dof] - q[dof]) :
+                    0.;
+                node_sum += r[dof] * r[dof];
+                node_reference += external[dof] * external[dof] +
+                                  internal[dof] * internal[dof] +
+                                  inertial * inertial;
+              }
+          sum += share * node_sum;
+          reference += share * node_reference;
+        }
+    return sum > 0. ? std::sqrt(sum / reference) : 0.;
+  }
+
+
+  template <int dim>
+  NewtonReport
+  NewtonSolver<dim>::solve(const MaterialPoints<dim> &points,
+                           const Inertia &            inertia,
+                           const std::vector<double> &spring_targets,
+                           StressUpdate<dim> &        stress_update,
+                           NodalState &               nodes)
+  {
+    const bool      use_consistent = parameters.tangent == "consistent";
+    const Operator &stiffness =
+      use_consistent ? static_cast<const Operator &>(consistent) :
+                       static_cast<const Operator &>(double_mapped);
+    const Weights<dim> &weights = consistent.point_weights();
+    const SystemOperator system(stiffness,
+                                inertia.ramp,
+                                inertia.factor,
+                                nodes.mass,
+                                fixities->removed_list(),
+                                spring_dofs,
+                                springs);
+    NewtonReport         report;
+    while (true)
+      {
+        stress_update.evaluate(points,
+                               weights,
+                               nodes.increment,
+                               nodes.internal_force);
+        const double norm = residual(inertia, spring_targets, nodes);
+        report.residuals.push_back(norm);
+        if (norm <= parameters.tolerance)
+          {
+            report.converged = true;
+            return report;
+          }
+        // Not a number, hopeless, or out of patience: the step is too long.
+        if (!(norm < 1e6) ||
+            report.iterations == parameters.maximum_iterations)
+          return report;
+
+        if (use_consistent)
+          consistent.reinit(stress_update, points, nodes.increment);
+        else
+          double_mapped.reinit(stress_update, points, nodes.increment);
+        const LinearReport linear =
+          linear_solver.solve(system,
+                              correction,
+                              R,
+                              parameters.linear_tolerance,
+                              parameters.maximum_linear_iterations);
+        report.linear_iterations += linear.iterations;
+        ++report.iterations;
+        nodes.increment += correction;
+      }
+  }
+
+
+  template class NewtonSolver<2>;
+  template class NewtonSolver<3>;
+} // namespace Waker

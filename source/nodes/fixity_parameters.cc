@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/utilities.h>
+
+#include <waker/base/errors.h>
+#include <waker/nodes/fixities.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace Waker
+{
+  void
+  FixityParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Region",
+                      region,
+                      "The nodes to hold: a face of the grid's box, with the "
+                      "margin beyond it, or \"box\": the nodes in From, To.",
+                      Patterns::Selection(
+                        "left|right|bottom|top|back|front|box"));
+    prm.add_parameter("From",
+                      from,
+                      "Lower limits of the region (m), one per direction. "
+                      "Normal to a face there is no limit. Empty: no limit.",
+                      Patterns::List(Patterns::Double()));
+    prm.add_parameter("To",
+                      to,
+                      "Upper limits of the region (m), as From.",
+                      Patterns::List(Patterns::Double()));
+    prm.add_parameter("Type",
+                      type,
+                      "What is held: fixed = all components, roller = the one "
+                      "normal to the face, prescribed = those of Displacement.",
+                      Patterns::Selection("fixed|roller|prescribed"));
+    prm.add_parameter(
+      "Displacement",
+      displacement,
+      "For Type prescribed: per component the displacement "
+      "since t = 0 (m), an expression of x, y, z (m) and t (s), "
+      "or free; for example \"0.1*t; free\".",
+      Patterns::Anything());
+    prm.add_parameter("Method",
+                      method,
+                      "elimination removes the equations, penalty adds stiff "
+                      "springs.",
+                      Patterns::Selection("elimination|penalty"));
+    prm.add_parameter("Penalty factor",
+                      penalty_factor,
+                      "Stiffness of a node's spring (no unit, above 0), as a "
+                      "multiple of (K + 4G/3) h^(dim-2).",
+                      Patterns::Double(0.));
+  }
+
+
+  namespace
+  {
+    std::string
+    text(const double number)
+    {
+      std::ostringstream s;
+      s << number;
+      return s.str();
+    }
+  } // namespace
+
+
+  void
+  FixityParameters::check(const unsigned int dim) const
+  {
+    const std::string path = "Boundary conditions/" + name + "/";
+    const auto choose      = [&path](const std::string &entry,
+                                const std::string &value,
+                                const std::vector<std::string> &allowed) {
+      if (std::find(allowed.begin(), allowed.end(), value) != allowed.end())
+        return;
+      std::string list;
+      for (const std::string &a : allowed)
+        list += (list.empty() ? "" : ", ") + a;
+      throw UserError(path + entry, "is \"" + value + "\"", list);
+    };
+    std::vector<std::string> regions = {"left", "right", "bottom", "top"};
+    if (dim == 3)
+      regions.insert(regions.end(), {"back", "front"});
+    regions.push_back("box");
+    choose("Region", region, regions);
+    choose("Method", method, {"elimination", "penalty"});
+    if (region == "box")
+      choose("Type", type, {"fixed", "prescribed"}); // a box has no normal
+    else
+      choose("Type", type, {"fixed", "roller", "prescribed"});
+
+    const std::string per_direction = std::to_string(dim) + " numbers in " +
+                                      std::to_string(dim) + "D" +
+                                      (region == "box" ? "" : ", or nothing");
+    for (const auto *limit : {&from, &to})
+      if (limit->size() != dim && !(limit->empty() && region != "box"))
+        throw UserError(path + (limit == &from ? "From" : "To"),
+                        "has " + std::to_string(limit->size()) + " numbers",
+                        per_direction);
+    if (!from.empty() && !to.empty())
+      for (unsigned int d = 0; d < dim; ++d)
+        if (!(from[d] <= to[d]))
+          throw UserError(path + "To",
+                          "is " + text(to[d]) + " m in direction " +
+                            std::to_string(d + 1) + ", below From with " +
+                            text(from[d]) + " m",
+                          "limits not below those of From");
+
+    if (!(penalty_factor > 0.))
+      throw UserError(path + "Penalty factor",
+                      "is " + text(penalty_factor),
+                      "a number above 0");
+
+    const std::vector<std::string> expressions =
+      Utilities::split_string_list(displacement, ';');
+    const std::string allowed = std::to_string(dim) + " expressions of x, y, " +
+                                (dim == 3 ? "z, " : "") +
+                                "t, or \"free\", with \";\" between them";
+    if (type != "prescribed")
+    {
+      if (!displacement.empty())
+        throw UserError(path + "Displacement",
+                        "is \"" + displacement + "\", but Type is " + type,
+                        "nothing, or Type prescribed");
+      return;
+    }
+    if (expressions.size() != dim ||
+        std::count(expressions.begin(), expressions.end(), "") != 0)
+      throw UserError(path + "Displacement",
+                      "is \"" + displacement + "\"",
+                      allowed);
+    if (std::count(expressions.begin(), expressions.end(), "free") ==
+        static_cast<int>(dim))
+      throw UserError(path + "Displacement",
+                      "leaves all components free",
+                      "at least one expression");
+  }
+} // namespace Waker

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/observers/observer.h>
+
+#include <string>
+
+namespace Waker
+{
+  namespace
+  {
+    const char axis[] = {'x', 'y', 'z'};
+
+
+    template <int dim>
+    class NewtonObserver : public Observer<dim>
+    {
+    public:
+      void
+      observe(const StepView<dim> &view, Row &row) override
+      {
+        row.add("Time step (s)", view.dt);
+        row.add("Newton iterations", view.report.newton_iterations);
+        row.add("Linear iterations", view.report.linear_iterations);
+        row.add("Residual", view.report.residuals.empty() ?
+                              0. :
+                              view.report.residuals.back());
+        row.add("Unconverged steps so far", view.unconverged_steps);
+      }
+    };
+
+
+    template <int dim>
+    class DykeObserver : public Observer<dim>
+    {
+    public:
+      void
+      observe(const StepView<dim> &view, Row &row) override
+      {
+        const DykeGeometry &dyke = view.failure.geometry;
+        row.add("Dyke height H (m)", dyke.height);
+        row.add("Dyke width W (m)", dyke.width);
+        row.add("Parts at the water level", dyke.parts.size());
+        row.add("Mean plastic strain increment", view.report.mean_plastic_strain);
+        row.add("Displacement rate, rms (m/s)", view.report.displacement_rate);
+      }
+    };
+
+
+    template <int dim>
+    class EnergyObserver : public Observer<dim>
+    {
+    public:
+      void
+      observe(const StepView<dim> &view, Row &row) override
+      {
+        const EnergyAccount &e = view.energy;
+        row.add("Kinetic energy (kJ)", e.kinetic);
+        row.add("Elastic energy (kJ)", e.elastic);
+        row.add("Plastic dissipation (kJ)", e.dissipation);
+        row.add("Potential energy released (kJ)", e.gravity_work);
+        row.add("Work of the water (kJ)", e.water_work);
+        row.add("Work of the supports (kJ)", e.support_work);
+        row.add("Work withheld by the ramp (kJ)", e.ramp_work);
+        row.add("Mapping loss (kJ)", e.mapping_loss);
+        row.add("Energy remainder (kJ)", e.remainder());
+      }
+    };
+
+
+    template <int dim>
+    class ForceObserver : public Observer<dim>
+    {
+    public:
+      ForceObserver()
+      {
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            names[0][d] = std::string("Momentum ") + axis[d] + " (kN s)";
+            names[1][d] = std::string("Reaction ") + axis[d] + " (kN)";
+            names[2][d] = std::string("Water force ") + axis[d] + " (kN)";
+          }
+      }
+
+      void
+      observe(const StepView<dim> &view, Row &row) override
+      {
+        const Tensor<1, dim> p = momentum(view.points);
+        for (unsigned int d = 0; d < dim; ++d)
+          row.add(names[0][d], p[d]);
+        for (unsigned int d = 0; d < dim; ++d)
+          row.add(names[1][d], view.report.reaction[d]);
+        for (unsigned int d = 0; d < 2; ++d)
+          row.add(names[2][d], view.water.force[d]);
+      }
+
+    private:
+      std::string names[3][dim];
+    };
+  } // namespace
+
+
+  template <int dim>
+  std::vector<std::unique_ptr<Observer<dim>>>
+  standard_observers()
+  {
+    std::vector<std::unique_ptr<Observer<dim>>> observers;
+    observers.push_back(std::make_unique<NewtonObserver<dim>>());
+    observers.push_back(std::make_unique<DykeObserver<dim>>());
+    observers.push_back(std::make_unique<EnergyObserver<dim>>());
+    observers.push_back(std::make_unique<ForceObserver<dim>>());
+    return observers;
+  }
+
+
+  template std::vector<std::unique_ptr<Observer<2>>>
+  standard_observers();
+  template std::vector<std::unique_ptr<Observer<3>>>
+  standard_observers();
+} // namespace Waker

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/parameter_handler.h>
+
+#include <waker/program/declared_parameters.h>
+#include <waker/program/prm_scanner.h>
+#include <waker/simulation/parameters.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace Waker
+{
+  namespace
+  {
+    template <typename Struct>
+    void
+    declare_section(ParameterHandler &prm,
+                    const std::string &section,
+                    Struct &parameters)
+    {
+      prm.enter_subsection(section);
+      parameters.add_parameters(prm);
+      prm.leave_subsection();
+    }
+
+
+    /// A section with a list of names and a subsection for each.
+    template <typename Struct>
+    void
+    declare_named(ParameterHandler &prm,
+                  const std::string &section,
+                  const std::string &list,
+                  const std::string &documentation,
+                  const std::vector<std::string> &names,
+                  std::vector<Struct> &parameters)
+    {
+      prm.enter_subsection(section);
+      prm.declare_entry(list, "", Patterns::Anything(), documentation);
+      std::string joined;
+      for (const std::string &name : names)
+        joined += (joined.empty() ? "" : ", ") + name;
+      prm.set(list, joined);
+
+      parameters.resize(names.size());
+      for (std::size_t i = 0; i < names.size(); ++i)
+      {
+        parameters[i].name = names[i];
+        declare_section(prm, names[i], parameters[i]);
+      }
+      prm.leave_subsection();
+    }
+
+
+    /// Collect the leaves of deal.II's JSON, which is the only way it tells
+    /// what has been declared.
+    void
+    collect(const nlohmann::ordered_json &node,
+            const std::string &section,
+            std::vector<DeclaredParameter> &result)
+    {
+      for (const auto &item : node.items())
+      {
+        const nlohmann::ordered_json &child = item.value();
+        const auto pattern                  = child.find("pattern_description");
+        if (pattern == child.end() || !pattern->is_string())
+          collect(child, parameter_path(section, item.key()), result);
+        else
+          result.push_back({section,
+                            item.key(),
+                            tidy(child["value"]),
+                            tidy(child["default_value"]),
+                            *pattern,
+                            child["documentation"]});
+      }
+    }
+  } // namespace
+
+
+  std::string
+  DeclaredParameter::path() const
+  {
+    return parameter_path(section, name);
+  }
+
+
+  void
+  declare_parameters(ParameterHandler &prm,
+                     Parameters &parameters,
+                     const ParameterNames &names)
+  {
+    prm.add_parameter("Dimension",
+                      parameters.dimension,
+                      "2: plane strain, per metre. 3: layers are extruded "
+                      "along z.",
+                      Patterns::Integer(2, 3));
+    declare_section(prm, "Grid", parameters.grid);
+    declare_section(prm, "Material points", parameters.points);
+    declare_named(prm,
+                  "Materials",
+                  "Names",
+                  "Names of the materials, separated by commas; each has a "
+                  "subsection.",
+                  names.materials,
+                  parameters.materials);
+    declare_named(prm,
+                  "Soil profile",
+                  "Layers",
+                  "Names of the layers, separated by commas; each has a "
+                  "subsection.",
+                  names.layers,
+                  parameters.layers);
+    declare_named(prm,
+                  "Boundary conditions",
+                  "Names",
+                  "Names of the boundary conditions, separated by commas; "
+                  "each has a subsection.",
+                  names.conditions,
+                  parameters.fixities);
+    declare_section(prm, "Gravity", parameters.gravity);
+    declare_section(prm, "Water", parameters.water);
+    declare_section(prm, "Surface", parameters.surface);
+    declare_section(prm, "Kinematics and mapping", parameters.mapping);
+    declare_section(prm, "Time stepping", parameters.time);
+    declare_section(prm, "Newton", parameters.newton);
+    declare_section(prm, "Initial failure", parameters.initial_failure);
+    declare_section(prm, "Stop rules", parameters.stop);
+    declare_section(prm, "Strength reduction", parameters.strength_reduction);
+    declare_section(prm, "Output", parameters.output);
+  }
+
+
+  std::vector<DeclaredParameter>
+  declared_parameters(const ParameterHandler &prm)
+  {
+    std::ostringstream text;
+    prm.print_parameters(text,
+                         ParameterHandler::JSON |
+                           ParameterHandler::KeepDeclarationOrder);
+    std::vector<DeclaredParameter> result;
+    collect(nlohmann::ordered_json::parse(text.str()), "", result);
+    return result;
+  }
+} // namespace Waker

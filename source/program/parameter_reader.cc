@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/parameter_handler.h>
+
+#include <waker/program/declared_parameters.h>
+#include <waker/program/parameter_reader.h>
+#include <waker/program/prm_scanner.h>
+#include <waker/program/suggestions.h>
+#include <waker/simulation/parameters.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+namespace Waker
+{
+  std::string
+  ParameterLocations::where(const std::string &path) const
+  {
+    const auto line = lines.find(path);
+    if (line != lines.end())
+      return line->second;
+    if (known.count(path) != 0)
+      return source + " (default of " + path + ")";
+    return path;
+  }
+
+
+  UserError
+  ParameterLocations::located(const UserError &error) const
+  {
+    std::string what = error.problem;
+    // A file and a line do not say which parameter is meant.
+    if (known.count(error.where) != 0 && where(error.where) != error.where)
+      what = error.where + ": " + what;
+    return UserError(where(error.where), what, error.allowed);
+  }
+
+
+  namespace
+  {
+    PrmContents
+    scan_source(const std::string &source, const std::string &name)
+    {
+      if (source == "-")
+        return scan_prm(std::cin, name);
+
+      std::error_code error;
+      if (std::filesystem::is_directory(source, error))
+        throw UserError(name,
+                        "is a folder",
+                        "a .prm file, or - to read standard input");
+      errno = 0;
+      std::ifstream file(source);
+      if (!file)
+        throw UserError(name,
+                        std::string("cannot be opened: ") +
+                          std::strerror(errno != 0 ? errno : ENOENT),
+                        "a .prm file, or - to read standard input");
+      return scan_prm(file, name);
+    }
+
+
+    /// The overrides replace entries of the file.
+    void
+    override_entries(std::vector<PrmEntry> &entries,
+                     const std::vector<PrmEntry> &overrides)
+    {
+      for (const PrmEntry &override_entry : overrides)
+      {
+        entries.erase(std::remove_if(entries.begin(),
+                                     entries.end(),
+                                     [&](const PrmEntry &entry) {
+                                       return entry.path() ==
+                                              override_entry.path();
+                                     }),
+                      entries.end());
+        entries.push_back(override_entry);
+      }
+    }
+
+
+    /// Does the file or the command line say anything about this section?
+    bool
+    is_mentioned(const PrmContents &contents, const std::string &section)
+    {
+      for (const PrmSection &other : contents.sections)
+        if (other.path == section)
+          return true;
+      for (const PrmEntry &entry : contents.entries)
+        if (entry.section == section)
+          return true;
+      return false;
+    }
+
+
+    /// The list of names at `section`/`list`, each of which must have a
+    /// subsection: a forgotten one would silently mean default values.
+    std::vector<std::string>
+    read_names(const PrmContents &contents,
+               const std::string &section,
+               const std::string &list)
+    {
+      for (const PrmEntry &entry : contents.entries)
+        if (entry.section == section && entry.name == list)
+        {
+          const std::vector<std::string> names = split(entry.value, ',');
+          const auto refuse = [&entry](const std::string &what,
+                                       const std::string &allowed) {
+            throw UserError(entry.where, entry.path() + ": " + what, allowed);
+          };
+          for (const std::string &name : names)
+          {
+            if (name.empty() || name == list ||
+                name.find('/') != std::string::npos)
+              refuse(in_quotes(name) + " is no name",
+                     "names without \"/\", separated by commas");
+            if (std::count(names.begin(), names.end(), name) > 1)
+              refuse(in_quotes(name) + " is listed twice", "each name once");
+            if (!is_mentioned(contents, parameter_path(section, name)))
+              refuse("there is no subsection " + in_quotes(name),
+                     "a subsection of " + in_quotes(section) +
+                       " for every name");
+          }
+          return names;
+        }
+      return {};
+    }
+
+
+    /// Check an entry and hand it to deal.II, which sets the struct.
+    void
+    set_entry(ParameterHandler &prm,
+              const PrmEntry &entry,
+              const DeclaredParameter &declaration)
+    {
+      const auto refuse = [&]() {
+        throw UserError(entry.where,
+                        entry.path() + ": " + in_quotes(entry.value) +
+                          " is not allowed",
+                        pattern_in_words(declaration.pattern));
+      };
+      if (!matches_pattern(entry.value, declaration.pattern))
+        refuse();
+
+      const std::vector<std::string> sections = split(entry.section, '/');
+      for (const std::string &section : sections)
+        prm.enter_subsection(section);
+      try
+      {
+        prm.set(entry.name, normalised(entry.value, declaration.pattern));
+      }
+      catch (const ExceptionBase &)
+      {
+        refuse();
+      }
+      for (std::size_t i = 0; i < sections.size(); ++i)
+        prm.leave_subsection();
+    }
+
+
+    /// FNV-1a, 64 bit, of what decides the course of a run: how it is watched
+    /// and when it stops may change when it is resumed.
+    std::string
+    hash_of_case(const std::vector<DeclaredParameter> &parameters)
+    {
+      std::uint64_t hash = 14695981039346656037ull;
+      for (const DeclaredParameter &parameter : parameters)
+        if (parameter.section != "Output" &&
+            parameter.section != "Stop rules" &&
+            parameter.section != "Strength reduction" &&
+            parameter.path() != "Time stepping/End time")
+          for (const char c : parameter.path() + "=" + parameter.value + "\n")
+            hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ull;
+
+      std::ostringstream text;
+      text.width(16);
+      text.fill('0');
+      text << std::hex << hash;
+      return text.str();
+    }
+  } // namespace
+
+
+  std::unique_ptr<Parameters>
+  read_parameters(const std::string &source,
+                  const std::vector<std::string> &overrides,
+                  ParameterLocations *locations)
+  {
+    ParameterLocations own_locations;
+    ParameterLocations &map = locations != nullptr ? *locations : own_locations;
+    map                     = ParameterLocations();
+    map.source              = source == "-" ? "standard input" : source;
+
+    const std::vector<PrmEntry> override_list = scan_overrides(overrides);
+    PrmContents contents                      = scan_source(source, map.source);
+    override_entries(contents.entries, override_list);
+
+    // First the names, then the subsections that they call for.
+    ParameterNames names;
+    names.materials  = read_names(contents, "Materials", "Names");
+    names.layers     = read_names(contents, "Soil profile", "Layers");
+    names.conditions = read_names(contents, "Boundary conditions", "Names");
+
+    auto parameters = std::make_unique<Parameters>();
+    ParameterHandler prm;
+    declare_parameters(prm, *parameters, names);
+    const std::vector<DeclaredParameter> declared = declared_parameters(prm);
+
+    for (const PrmSection &section : contents.sections)
+    {
+      check_section(section, declared);
+      map.lines[section.path] = section.where;
+    }
+    for (const DeclaredParameter &parameter : declared)
+      map.known.insert(parameter.path());
+    for (const PrmEntry &entry : contents.entries)
+    {
+      set_entry(prm, entry, find_declared(entry, declared));
+      map.lines[entry.path()] = entry.where;
+    }
+
+    std::ostringstream text;
+    prm.print_parameters(text,
+                         ParameterHandler::ShortPRM |
+                           ParameterHandler::KeepDeclarationOrder);
+    parameters->text = text.str();
+    parameters->hash = hash_of_case(declared_parameters(prm));
+
+    try
+    {
+      parameters->check();
+    }
+    catch (const UserError &error)
+    {
+      throw map.located(error);
+    }
+    return parameters;
+  }
+} // namespace Waker

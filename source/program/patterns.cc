@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/patterns.h>
+
+#include <waker/program/declared_parameters.h>
+#include <waker/program/prm_scanner.h>
+
+#include <charconv>
+#include <regex>
+#include <sstream>
+
+namespace Waker
+{
+  namespace
+  {
+    bool
+    starts_with(const std::string &text, const std::string &start)
+    {
+      return text.rfind(start, 0) == 0;
+    }
+
+
+    struct ListPattern
+    {
+      std::string element; // pattern
+      std::string shortest;
+      std::string longest;
+      std::string separator;
+    };
+
+
+    /// "[List of <...> of length 2...3 (inclusive) separated by <;>]"
+    bool
+    parse_list(const std::string &pattern, ListPattern &list)
+    {
+      static const std::regex form(
+        "\\[List of <(.*)> of length (\\d+)\\.\\.\\.(\\d+) \\(inclusive\\)"
+        "(?: separated by <(.*)>)?\\]");
+      std::smatch match;
+      if (!std::regex_match(pattern, match, form))
+        return false;
+      list = {match[1], match[2], match[3], match[4]};
+      if (list.separator.empty())
+        list.separator = ",";
+      return true;
+    }
+
+
+    /// "[Double 0...MAX_DOUBLE (inclusive)]", "[Integer range 1...5
+    /// (inclusive)]"
+    std::string
+    range_in_words(const std::string &pattern, const std::string &kind)
+    {
+      static const std::regex form(
+        "\\[\\w+(?: range)? (\\S+?)\\.\\.\\.(\\S+) \\(inclusive\\)\\]");
+      std::smatch match;
+      if (!std::regex_match(pattern, match, form))
+        return kind;
+      const std::string lower = match[1], upper = match[2];
+      const bool below = lower != "-MAX_DOUBLE" && lower != "-2147483648";
+      const bool above = upper != "MAX_DOUBLE" && upper != "2147483647";
+      if (below && above)
+        return kind + " from " + lower + " to " + upper;
+      if (below)
+        return kind + " of at least " + lower;
+      if (above)
+        return kind + " of at most " + upper;
+      return kind;
+    }
+
+
+    std::string
+    list_in_words(const ListPattern &list)
+    {
+      const std::string element = pattern_in_words(list.element);
+      std::string count;
+      if (list.shortest == list.longest)
+        count = list.shortest + " ";
+      else if (list.longest != "4294967295")
+        count = list.shortest + " to " + list.longest + " ";
+      else if (list.shortest != "0")
+        count = "at least " + list.shortest + " ";
+      return count + "entries separated by \"" + list.separator + "\", each " +
+             element;
+    }
+  } // namespace
+
+
+  std::string
+  pattern_in_words(const std::string &pattern)
+  {
+    ListPattern list;
+    if (parse_list(pattern, list))
+      return list_in_words(list);
+    if (starts_with(pattern, "[Double"))
+      return range_in_words(pattern, "a number");
+    if (starts_with(pattern, "[Integer"))
+      return range_in_words(pattern, "a whole number");
+    if (starts_with(pattern, "[Bool"))
+      return "true or false";
+    if (starts_with(pattern, "[Selection "))
+    {
+      std::string words;
+      for (const std::string &choice :
+           split(pattern.substr(11, pattern.size() - 12), '|'))
+        words += (words.empty() ? "one of " : ", ") + choice;
+      return words;
+    }
+    if (starts_with(pattern, "[Anything") ||
+        starts_with(pattern, "[FileName") ||
+        starts_with(pattern, "[DirectoryName"))
+      return "any text";
+    return pattern;
+  }
+
+
+  bool
+  matches_pattern(const std::string &value, const std::string &pattern)
+  {
+    return Patterns::pattern_factory(pattern)->match(value);
+  }
+
+
+  std::string
+  normalised(const std::string &value, const std::string &pattern)
+  {
+    ListPattern list;
+    if (parse_list(pattern, list))
+    {
+      std::string result;
+      for (const std::string &element : split(value, list.separator[0]))
+        result += (result.empty() ? "" : list.separator + " ") +
+                  normalised(element, list.element);
+      return result;
+    }
+    if (starts_with(pattern, "[Double"))
+    {
+      // Read as deal.II reads, written with the fewest digits that give
+      // the same number again.
+      double number = 0.;
+      std::istringstream stream(value);
+      stream >> number;
+      char buffer[32];
+      const auto end = std::to_chars(buffer, buffer + sizeof buffer, number);
+      return std::string(buffer, end.ptr);
+    }
+    return tidy(value);
+  }
+} // namespace Waker

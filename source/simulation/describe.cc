@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/log.h>
+#include <waker/base/version.h>
+#include <waker/mechanics/time_scheme.h>
+#include <waker/simulation/describe.h>
+
+#include <cstdio>
+#include <cmath>
+#include <numeric>
+
+namespace Waker
+{
+  namespace
+  {
+    template <typename... Arguments>
+    void
+    say(Log &log, const char *format, const Arguments... arguments)
+    {
+      char text[512];
+      std::snprintf(text, sizeof text, format, arguments...);
+      log.line(text);
+    }
+
+
+    /// Anonymous memory that the points and their work space take, in MB: an
+    /// estimate, to warn before a large case starts.
+    template <int dim>
+    double
+    expected_memory(const std::size_t n_points, const std::size_t n_nodes)
+    {
+      const double per_point =
+        8. * (4 + 7 * dim + 2 * 6 + 8 + 6 * dim) +
+        sizeof(typename StressUpdate<dim>::PointTangent);
+      const double per_node = 8. * (2 + 20 * dim);
+      return 1e-6 * (per_point * n_points + per_node * n_nodes);
+    }
+  } // namespace
+
+
+  template <int dim>
+  void
+  describe_case(const Case<dim> &the_case, Log &log)
+  {
+    const Parameters &         p      = the_case.parameters;
+    const MaterialPoints<dim> &points = the_case.initial_points;
+    const double               h      = the_case.grid.cell_size();
+
+    say(log, "Waker %s: %s, %dD", WAKER_VERSION, p.output.directory.c_str(), dim);
+    say(log,
+        "  grid      %u cells of %g m, %u nodes (margin included)",
+        the_case.grid.n_cells(),
+        h,
+        the_case.grid.n_nodes());
+    const double mass =
+      std::accumulate(points.mass.begin(), points.mass.end(), 0.);
+    const double volume =
+      std::accumulate(points.volume.begin(), points.volume.end(), 0.);
+    say(log,
+        "  points    %zu, %g m^%d, %g Mg, %.3g per full cell",
+        points.n_points(),
+        volume,
+        dim,
+        mass,
+        points.n_points() * std::pow(h, dim) / volume);
+    for (const MaterialParameters &m : p.materials)
+      say(log, "  material  %s: %s", m.name.c_str(), m.model.c_str());
+
+    const double c = wave_speed(the_case.materials);
+    if (p.time.scheme == "Newmark")
+      {
+        const double cfl = c * p.time.time_step / h;
+        say(log,
+            "  time      Newmark, dt = %g s: %.2g times the wave CFL "
+            "(c_p = %.3g m/s)",
+            p.time.time_step,
+            cfl,
+            c);
+        if (cfl > 20.)
+          say(log,
+              "  WARNING   waves cross %.0f cells in a step: a smaller time "
+              "step is more accurate, and converges better",
+              cfl);
+      }
+    else
+      say(log,
+          "  time      explicit, dt about %.2g s (c_p = %.3g m/s)",
+          p.time.courant_number * h / c,
+          c);
+    if (p.points.points_per_direction == 1)
+      say(log,
+          "  WARNING   one point per cell and direction: stresses will be "
+          "coarse, two are usual");
+    if (!the_case.gravity_report.residuals.empty())
+      say(log,
+          "  gravity   in-situ stress after %zu solve(s), residual %.1e",
+          the_case.gravity_report.residuals.size() - 1,
+          the_case.gravity_report.residuals.back());
+    say(log,
+        "  memory    about %.0f MB for points and nodes",
+        expected_memory<dim>(points.n_points(), the_case.grid.n_nodes()));
+  }
+
+
+  template <int dim>
+  void
+  describe_result(const State<dim> & state,
+                  const std::string &outcome,
+                  const std::string &reason,
+                  const double       wall_time,
+                  Log &              log)
+  {
+    const FailureRecord &f = state.failure;
+    say(log, "Outcome: %s (%s)", outcome.c_str(), reason.c_str());
+    say(log,
+        "  W %.2f -> %.2f m, H %.2f -> %.2f m, t = %.3f s",
+        f.initial_width,
+        f.geometry.width,
+        f.initial_height,
+        f.geometry.height,
+        state.time);
+    say(log,
+        "  %llu steps, %llu Newton iterations, %llu unconverged, %.2f s, "
+        "%.3g us per point and step",
+        static_cast<unsigned long long>(state.step),
+        static_cast<unsigned long long>(state.newton_iterations),
+        static_cast<unsigned long long>(state.unconverged_steps),
+        wall_time,
+        state.step > 0 ?
+          1e6 * wall_time / (state.points.n_points() * state.step) :
+          0.);
+  }
+
+
+  template void
+  describe_case(const Case<2> &, Log &);
+  template void
+  describe_case(const Case<3> &, Log &);
+  template void
+  describe_result(const State<2> &,
+                  const std::string &,
+                  const std::string &,
+                  const double,
+                  Log &);
+  template void
+  describe_result(const State<3> &,
+                  const std::string &,
+                  const std::string &,
+                  const double,
+                  Log &);
+} // namespace Waker

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/parameter_handler.h>
+
+#include <waker/base/errors.h>
+#include <waker/simulation/parameters.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace Waker
+{
+  namespace
+  {
+    std::string
+    number(const double value)
+    {
+      return Patterns::Tools::to_string(value);
+    }
+
+
+    void
+    check_length(const std::string &path,
+                 const std::vector<double> &values,
+                 const unsigned int length,
+                 const std::string &reason)
+    {
+      if (values.size() != length)
+        throw UserError(path,
+                        "has " + std::to_string(values.size()) + " numbers",
+                        std::to_string(length) + " numbers (" + reason + ")");
+    }
+
+
+    void
+    check_layer(const LayerParameters &layer,
+                const std::vector<MaterialParameters> &materials,
+                const unsigned int dim)
+    {
+      const std::string path = "Soil profile/" + layer.name + "/";
+      std::string names;
+      bool known = false;
+      for (const MaterialParameters &material : materials)
+      {
+        known = known || material.name == layer.material;
+        names += (names.empty() ? "" : ", ") + material.name;
+      }
+      if (!known)
+        throw UserError(path + "Material",
+                        "there is no material \"" + layer.material + "\"",
+                        "one of " + names);
+
+      if (!layer.extent.empty())
+      {
+        if (dim == 2)
+          throw UserError(path + "Extent",
+                          "is given in two dimensions",
+                          "only with Dimension = 3");
+        check_length(path + "Extent", layer.extent, 2, "from z to z");
+        if (!(layer.extent[0] < layer.extent[1]))
+          throw UserError(path + "Extent",
+                          "reaches from " + number(layer.extent[0]) + " to " +
+                            number(layer.extent[1]) + " m",
+                          "the smaller number first");
+      }
+      if (!layer.velocity.empty())
+        check_length(path + "Velocity",
+                     layer.velocity,
+                     dim,
+                     "Dimension = " + std::to_string(dim));
+      layer.corners();
+    }
+
+
+    void
+    check_water(const WaterParameters &water,
+                const std::vector<LayerParameters> &layers)
+    {
+      if (water.side == "none")
+        return;
+      double crest = std::numeric_limits<double>::lowest();
+      for (const LayerParameters &layer : layers)
+        for (const std::array<double, 2> &corner : layer.corners())
+          crest = std::max(crest, corner[1]);
+      if (water.level > crest)
+        throw UserError("Water/Level",
+                        "is " + number(water.level) +
+                          " m, above the crest at " + number(crest) + " m",
+                        "at most " + number(crest) +
+                          " m (or Water/Side = none)");
+    }
+  } // namespace
+
+
+  void
+  GridParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Lower corner",
+                      lower_corner,
+                      "Lower corner x, y[, z] of the box (m) in which soil may "
+                      "move; y is vertical. Leave room for the slide.",
+                      Patterns::List(Patterns::Double(), 2, 3));
+    prm.add_parameter("Upper corner",
+                      upper_corner,
+                      "Upper corner x, y[, z] of the box (m), a whole number "
+                      "of cells from the lower one.",
+                      Patterns::List(Patterns::Double(), 2, 3));
+    prm.add_parameter("Cell size",
+                      cell_size,
+                      "Edge length h of the square (cubic) cells (m), above 0. "
+                      "With softening, results depend on it.",
+                      Patterns::Double(0.));
+  }
+
+
+  void
+  GridParameters::check(const unsigned int dim) const
+  {
+    const std::string reason = "Dimension = " + std::to_string(dim);
+    check_length("Grid/Lower corner", lower_corner, dim, reason);
+    check_length("Grid/Upper corner", upper_corner, dim, reason);
+    if (!(cell_size > 0.))
+      throw UserError("Grid/Cell size",
+                      "is " + number(cell_size) + " m",
+                      "a length above 0");
+    for (unsigned int d = 0; d < dim; ++d)
+      if (!(upper_corner[d] - lower_corner[d] > 0.5 * cell_size))
+        throw UserError("Grid/Upper corner",
+                        "in direction " + std::string(1, "xyz"[d]) +
+                          " the box reaches from " + number(lower_corner[d]) +
+                          " to " + number(upper_corner[d]) + " m: no cell",
+                        "above the lower corner in each direction");
+  }
+
+
+  void
+  StrengthReductionParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Lower factor",
+                      lower_factor,
+                      "A factor (-) by which strengths can be divided without "
+                      "failure, above 0.",
+                      Patterns::Double(0.));
+    prm.add_parameter("Upper factor",
+                      upper_factor,
+                      "A factor (-) with which the dyke fails, above the lower "
+                      "one.",
+                      Patterns::Double(0.));
+    prm.add_parameter("Tolerance",
+                      tolerance,
+                      "The search by halving ends when the bracket is at most "
+                      "this wide (-), above 0.",
+                      Patterns::Double(0.));
+  }
+
+
+  void
+  StrengthReductionParameters::check() const
+  {
+    if (!(lower_factor > 0.))
+      throw UserError("Strength reduction/Lower factor",
+                      "is " + number(lower_factor),
+                      "a number above 0");
+    if (!(upper_factor > lower_factor))
+      throw UserError("Strength reduction/Upper factor",
+                      "is " + number(upper_factor) + ", the lower factor " +
+                        number(lower_factor),
+                      "above the lower factor");
+    if (!(tolerance > 0.))
+      throw UserError("Strength reduction/Tolerance",
+                      "is " + number(tolerance),
+                      "a number above 0");
+  }
+
+
+  void
+  Parameters::check() const
+  {
+    if (dimension != 2 && dimension != 3)
+      throw UserError("Dimension", "is " + std::to_string(dimension), "2 or 3");
+    grid.check(dimension);
+    if (points.points_per_direction == 0)
+      throw UserError("Material points/Points per direction",
+                      "is 0",
+                      "at least 1");
+
+    if (materials.empty())
+      throw UserError("Materials/Names",
+                      "there is no material",
+                      "the names of the materials, separated by commas");
+    for (const MaterialParameters &material : materials)
+      material.check();
+
+    if (layers.empty())
+      throw UserError("Soil profile/Layers",
+                      "there is no layer",
+                      "the names of the layers, separated by commas");
+    for (const LayerParameters &layer : layers)
+      check_layer(layer, materials, dimension);
+
+    for (const FixityParameters &fixity : fixities)
+      fixity.check(dimension);
+    gravity.check();
+    if (gravity.initial_stress && fixities.empty())
+      throw UserError("Boundary conditions/Names",
+                      "no boundary condition carries the soil, so the static "
+                      "step for the initial stress has no solution",
+                      "at least one, or Gravity/Initial stress = false");
+    check_water(water, layers);
+
+    if (!(surface.kernel_radius > 0.))
+      throw UserError("Surface/Kernel radius",
+                      "is " + number(surface.kernel_radius),
+                      "a number above 0");
+    if (!(surface.threshold > 0. && surface.threshold < 1.))
+      throw UserError("Surface/Threshold",
+                      "is " + number(surface.threshold),
+                      "above 0 and below 1");
+
+    time.check();
+    newton.check();
+    initial_failure.check();
+    stop.check();
+    strength_reduction.check();
+    output.check();
+  }
+} // namespace Waker

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/errors.h>
+#include <waker/observers/dyke_geometry.h>
+#include <waker/simulation/realisation.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace Waker
+{
+  namespace
+  {
+    /// After this many steps at a halved time step it is doubled again.
+    constexpr unsigned int steps_before_doubling = 4;
+  } // namespace
+
+
+  template <int dim>
+  Realisation<dim>::Realisation(const Case<dim> &the_case, State<dim> &state)
+    : the_case(&the_case)
+    , state(&state)
+    , scene(the_case)
+    , scheme(make_time_scheme(
+        SchemeInput<dim>{the_case.grid,
+                         scene.weights,
+                         the_case.materials,
+                         the_case.fixities,
+                         the_case.parameters.time,
+                         the_case.parameters.newton,
+                         the_case.parameters.mapping.objective_rate,
+                         the_case.parameters.gravity.acceleration,
+                         the_case.full_node_mass}))
+  {
+    report.kinetic_energy = state.energy.kinetic;
+    report.elastic_energy = state.energy.elastic;
+  }
+
+
+  template <int dim>
+  StopReason
+  Realisation<dim>::look()
+  {
+    const Parameters &parameters = the_case->parameters;
+    scene.set(state->points);
+    state->failure.update(measure_dyke(scene.surface, parameters.water.level),
+                          state->time,
+                          parameters.water.level,
+                          parameters.water.side != "none",
+                          {parameters.initial_failure.width_change,
+                           parameters.initial_failure.height_loss});
+    return decide(parameters.stop,
+                  state->failure,
+                  state->time,
+                  parameters.time.end_time,
+                  parameters.time.ramp_duration,
+                  state->mean_plastic_strain,
+                  state->displacement_rate,
+                  state->rest);
+  }
+
+
+  template <int dim>
+  double
+  Realisation<dim>::next_time_step() const
+  {
+    const double dt = std::ldexp(scheme->time_step(state->points),
+                                 -static_cast<int>(state->halvings));
+    return std::min(dt, the_case->parameters.time.end_time - state->time);
+  }
+
+
+  template <int dim>
+  void
+  Realisation<dim>::advance()
+  {
+    const TimeParameters &time = the_case->parameters.time;
+    double                dt;
+    while (true)
+      {
+        dt     = next_time_step();
+        report = scheme->solve(
+          state->points, scene.weights, state->time, dt, scene.nodes);
+        state->newton_iterations += report.newton_iterations;
+        state->linear_iterations += report.linear_iterations;
+        if (report.converged)
+          break;
+
+        ++state->unconverged_steps;
+        state->steps_since_change = 0;
+        if (state->halvings == time.maximum_halvings)
+          {
+            std::ostringstream message;
+            message << "the step from t = " << state->time
+                    << " s does not converge, not even with dt = " << dt
+                    << " s (residual " << report.residuals.back() << ")";
+            throw NumericalFailure(message.str());
+          }
+        ++state->halvings;
+      }
+
+    scheme->update_points(
+      scene.weights, state->time, dt, scene.nodes, state->points, report);
+
+    state->time += dt;
+    ++state->step;
+    state->last_dt             = dt;
+    state->mean_plastic_strain = report.mean_plastic_strain;
+    state->displacement_rate   = report.displacement_rate;
+    if (state->halvings > 0 &&
+        ++state->steps_since_change >= steps_before_doubling)
+      {
+        --state->halvings;
+        state->steps_since_change = 0;
+      }
+
+    EnergyAccount &energy = state->energy;
+    energy.kinetic        = report.kinetic_energy;
+    energy.elastic        = report.elastic_energy;
+    energy.dissipation += report.dissipation;
+    energy.ramp_work += report.ramp_work;
+    energy.mapping_loss += report.mapping_loss;
+    energy.gravity_work += report.gravity_work;
+    energy.water_work += report.water_work;
+    energy.support_work += report.support_work;
+  }
+
+
+  template <int dim>
+  StepView<dim>
+  Realisation<dim>::view() const
+  {
+    return {state->step,
+            state->time,
+            state->last_dt,
+            the_case->grid,
+            state->points,
+            scene.nodes,
+            scene.proximity.nodal_values(),
+            scene.surface,
+            scene.water.wetted_segments(),
+            scene.water_resultant,
+            state->failure,
+            report,
+            state->energy,
+            state->unconverged_steps};
+  }
+
+
+  template class Realisation<2>;
+  template class Realisation<3>;
+} // namespace Waker

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/errors.h>
+#include <waker/output/files.h>
+#include <waker/output/grid_writer.h>
+#include <waker/output/particle_writer.h>
+#include <waker/output/surface_writer.h>
+#include <waker/simulation/recorder.h>
+
+#include <boost/archive/binary_iarchive.hpp>
+#include <boost/archive/binary_oarchive.hpp>
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <sstream>
+
+namespace Waker
+{
+  namespace
+  {
+    /// The recorder's part of a checkpoint.
+    struct Progress
+    {
+      std::string           state;
+      double                next_fields     = 0.;
+      double                next_checkpoint = 0.;
+      std::vector<PvdEntry> particles;
+      std::vector<PvdEntry> surfaces;
+      std::vector<PvdEntry> grids;
+
+      template <typename Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &state &next_fields &next_checkpoint &particles &surfaces
+          &grids;
+      }
+    };
+
+
+    class StatisticsRow : public Row
+    {
+    public:
+      explicit StatisticsRow(Statistics &statistics)
+        : statistics(statistics)
+      {}
+
+      void
+      add(const std::string_view name, const double value) override
+      {
+        statistics.add(name, value);
+      }
+
+    private:
+      Statistics &statistics;
+    };
+
+
+    std::optional<double>
+    time_or_nothing(const double time)
+    {
+      return time >= 0. ? std::optional<double>(time) : std::nullopt;
+    }
+
+
+    /// The next multiple of the interval after t; round-off in the sum of the
+    /// time steps must not skip one.
+    double
+    next_multiple(const double t, const double interval)
+    {
+      return interval > 0. ?
+               interval * (std::floor(t / interval + 1e-9) + 1.) :
+               std::numeric_limits<double>::infinity();
+    }
+
+
+    bool
+    is_due(const double t, const double due)
+    {
+      return t >= due * (1. - 1e-12);
+    }
+  } // namespace
+
+
+  template <int dim>
+  Recorder<dim>::Recorder(const Parameters &parameters)
+    : parameters(&parameters)
+    , slots(parameters.output.directory, parameters.hash)
+    , particles(parameters.output.directory, "particles")
+    , surfaces(parameters.output.directory, "surface")
+    , grids(parameters.output.directory, "grid")
+    , observers(standard_observers<dim>())
+    , statistics(std::make_unique<Statistics>(
+        join_path(parameters.output.directory, "statistics")))
+    , next_checkpoint(
+        next_multiple(0., parameters.output.checkpoint_interval))
+  {}
+
+
+  template <int dim>
+  Recorder<dim>::Recorder(const Parameters &parameters, State<dim> &state)
+    : parameters(&parameters)
+    , slots(parameters.output.directory, parameters.hash)
+    , particles(parameters.output.directory, "particles")
+    , surfaces(parameters.output.directory, "surface")
+    , grids(parameters.output.directory, "grid")
+    , observers(standard_observers<dim>())
+  {
+    const Checkpoint checkpoint = slots.read_latest(resume_warning);
+    Progress         progress;
+    try
+      {
+        std::istringstream              stream(checkpoint.blob);
+        boost::archive::binary_iarchive archive(stream);
+        archive &                       progress;
+        state.read(progress.state);
+      }
+    catch (const std::exception &)
+      {
+        throw UserError("Output/Directory",
+                        "the checkpoint in " + parameters.output.directory +
+                          " was written by another program: " +
+                          checkpoint.program,
+                        "--resume with the program that wrote it, or "
+                        "--overwrite");
+      }
+    next_fields     = progress.next_fields;
+    next_checkpoint = progress.next_checkpoint;
+    particles.restore(progress.particles);
+    surfaces.restore(progress.surfaces);
+    grids.restore(progress.grids);
+    // The row of the checkpoint's step was written before it.
+    statistics = std::make_unique<Statistics>(
+      join_path(parameters.output.directory, "statistics"), state.step + 1);
+  }
+
+
+  template <int dim>
+  void
+  Recorder<dim>::record(const StepView<dim> &view, const bool last)
+  {
+    statistics->begin_row(view.step);
+    StatisticsRow row(*statistics);
+    row.add("Time (s)", view.time);
+    for (const auto &observer : observers)
+      observer->observe(view, row);
+    statistics->end_row();
+
+    if (last || is_due(view.time, next_fields))
+      {
+        write_fields(view);
+        next_fields = next_multiple(view.time, parameters->output.interval);
+        statistics->flush();
+      }
+  }
+
+
+  template <int dim>
+  void
+  Recorder<dim>::write_fields(const StepView<dim> &view)
+  {
+    const OutputParameters &output = parameters->output;
+    if (output.particles)
+      {
+        write_particles(view.points, view.time, particles.next_path());
+        particles.add(view.time);
+      }
+    if (output.surface)
+      {
+        write_surface(view.surface,
+                      view.wetted,
+                      parameters->water,
+                      view.time,
+                      surfaces.next_path());
+        surfaces.add(view.time);
+      }
+    if (output.grid)
+      {
+        GridFields fields;
+        if (view.proximity_field.size() == view.nodes.mass.size())
+          fields.scalars.push_back(
+            {"proximity_field", "-", &view.proximity_field});
+        fields.vectors.push_back({"velocity", "m/s", &view.nodes.velocity});
+        fields.vectors.push_back(
+          {"external_force", "kN", &view.nodes.external_force});
+        fields.vectors.push_back(
+          {"internal_force", "kN", &view.nodes.internal_force});
+        fields.vectors.push_back({"increment", "m", &view.nodes.increment});
+        write_grid(
+          view.grid, view.nodes.mass, fields, view.time, grids.next_path());
+        grids.add(view.time);
+      }
+  }
+
+
+  template <int dim>
+  void
+  Recorder<dim>::checkpoint(const State<dim> &state, const bool now)
+  {
+    if (!now && !is_due(state.time, next_checkpoint))
+      return;
+    // An extra checkpoint must not shift the later ones.
+    if (is_due(state.time, next_checkpoint))
+      next_checkpoint =
+        next_multiple(state.time, parameters->output.checkpoint_interval);
+    statistics->flush();
+    const Progress     progress{state.write(),
+                            next_fields,
+                            next_checkpoint,
+                            particles.entries(),
+                            surfaces.entries(),
+                            grids.entries()};
+    std::ostringstream bytes;
+    {
+      boost::archive::binary_oarchive archive(bytes);
+      archive &                       progress;
+    }
+    slots.write(state.step, bytes.str());
+  }
+
+
+  template <int dim>
+  void
+  Recorder<dim>::write_summary(const State<dim> & state,
+                               const std::string &outcome,
+                               const std::string &stop_reason,
+                               const double       wall_time) const
+  {
+    Summary summary;
+    summary.outcome     = outcome;
+    summary.stop_reason = stop_reason;
+    summary.initial_failure_time =
+      time_or_nothing(state.failure.initial_time);
+    summary.initial_failure_time_thesis =
+      time_or_nothing(state.failure.initial_time_thesis);
+    summary.flooding_time     = time_or_nothing(state.failure.flooding_time);
+    summary.initial_width     = state.failure.initial_width;
+    summary.residual_width    = state.failure.geometry.width;
+    summary.residual_height   = state.failure.geometry.height;
+    summary.end_time          = state.time;
+    summary.steps             = state.step;
+    summary.newton_iterations = state.newton_iterations;
+    summary.linear_iterations = state.linear_iterations;
+    summary.unconverged_steps = state.unconverged_steps;
+    summary.particles         = state.points.n_points();
+    summary.wall_time         = wall_time;
+    summary.parameters_hash   = parameters->hash;
+    summary.write(
+      join_path(parameters->output.directory, "summary.json"));
+  }
+
+
+  template class Recorder<2>;
+  template class Recorder<3>;
+} // namespace Waker

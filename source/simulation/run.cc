@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/errors.h>
+#include <waker/base/log.h>
+#include <waker/base/version.h>
+#include <waker/mechanics/time_scheme.h>
+#include <waker/output/files.h>
+#include <waker/output/output_folder.h>
+#include <waker/simulation/describe.h>
+#include <waker/simulation/realisation.h>
+#include <waker/simulation/recorder.h>
+#include <waker/simulation/run.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+
+namespace Waker
+{
+  namespace
+  {
+    FolderMode
+    folder_mode(const RunOptions &options)
+    {
+      return options.resume    ? FolderMode::resume :
+             options.overwrite ? FolderMode::overwrite :
+                                 FolderMode::must_be_new;
+    }
+
+
+    bool
+    interrupted(const RunOptions &options)
+    {
+      return options.interrupt != nullptr && *options.interrupt != 0;
+    }
+
+
+    std::string
+    outcome(const FailureRecord &failure)
+    {
+      return failure.flooded() ? "flooding" :
+             failure.failed()  ? "initial failure" :
+                                 "stable";
+    }
+
+
+    /// Say in the log what has just happened to the dyke.
+    void
+    report_events(const FailureRecord &before,
+                  const FailureRecord &now,
+                  Log &                log)
+    {
+      char text[160];
+      if (now.failed() && !before.failed())
+        {
+          std::snprintf(text,
+                        sizeof text,
+                        "t = %.3f s: initial failure (W = %.2f m of %.2f m, "
+                        "H = %.2f m of %.2f m)",
+                        now.initial_time,
+                        now.geometry.width,
+                        now.initial_width,
+                        now.geometry.height,
+                        now.initial_height);
+          log.line(text);
+        }
+      if (now.flooded() && !before.flooded())
+        {
+          std::snprintf(text,
+                        sizeof text,
+                        "t = %.3f s: flooding (H = %.2f m)",
+                        now.flooding_time,
+                        now.geometry.height);
+          log.line(text);
+        }
+    }
+
+
+    template <int dim>
+    RunStatus
+    loop(const Case<dim> & the_case,
+         const RunOptions &options,
+         const bool        resumed,
+         State<dim> &      state,
+         Recorder<dim> &   recorder,
+         Log &             log)
+    {
+      const auto   start    = std::chrono::steady_clock::now();
+      const double end_time = the_case.parameters.time.end_time;
+      Realisation<dim> realisation(the_case, state);
+
+      std::string   result, reason;
+      RunStatus     status  = RunStatus::completed;
+      bool          is_new  = !resumed; // this moment is not in the files yet
+      std::uint64_t unconverged = state.unconverged_steps;
+      try
+        {
+          while (true)
+            {
+              const FailureRecord before = state.failure;
+              const StopReason    stop   = realisation.look();
+              report_events(before, state.failure, log);
+              const bool last = stop != StopReason::none;
+              if (is_new)
+                {
+                  recorder.record(realisation.view(), last);
+                  recorder.checkpoint(state, last || interrupted(options));
+                }
+              is_new = true;
+              if (last)
+                {
+                  result = outcome(state.failure);
+                  reason = to_string(stop);
+                  break;
+                }
+              if (interrupted(options))
+                {
+                  status = RunStatus::interrupted;
+                  break;
+                }
+              realisation.advance();
+
+              if (state.unconverged_steps > unconverged)
+                {
+                  log.line("t = " + std::to_string(state.time) + " s: " +
+                           std::to_string(state.unconverged_steps -
+                                          unconverged) +
+                           " unconverged attempt(s), dt = " +
+                           std::to_string(state.last_dt) + " s");
+                  unconverged = state.unconverged_steps;
+                }
+              if (log.progress_due())
+                {
+                  char text[80];
+                  std::snprintf(text,
+                                sizeof text,
+                                "t = %.2f of at most %g s, W = %.2f m",
+                                state.time,
+                                end_time,
+                                state.failure.geometry.width);
+                  log.progress(state.time / end_time, text);
+                }
+            }
+        }
+      catch (const NumericalFailure &failure)
+        {
+          // The state is the last good one: keep it, with the reason.
+          result = "numerical failure";
+          reason = failure.what();
+          status = RunStatus::numerical_failure;
+        }
+      log.end_progress();
+
+      const std::chrono::duration<double> wall =
+        std::chrono::steady_clock::now() - start;
+      if (status == RunStatus::interrupted)
+        {
+          log.line("Interrupted at t = " + std::to_string(state.time) +
+                   " s; go on with --resume.");
+          return status;
+        }
+      recorder.write_summary(state, result, reason, wall.count());
+      describe_result(state, result, reason, wall.count(), log);
+      return status;
+    }
+  } // namespace
+
+
+  template <int dim>
+  RunStatus
+  run(const Parameters &parameters,
+      const RunOptions &options,
+      const MPI_Comm    communicator)
+  {
+    const std::string &directory = parameters.output.directory;
+    check_output_folder(directory, folder_mode(options));
+    const Case<dim> the_case(parameters, communicator);
+    Log             log(std::cout, Log::is_terminal());
+    if (options.validate_only)
+      {
+        describe_case(the_case, log);
+        log.line("Valid. Nothing was written.");
+        return RunStatus::completed;
+      }
+
+    State<dim>                     state = initial_state(the_case);
+    std::unique_ptr<Recorder<dim>> recorder;
+    if (options.resume)
+      recorder = std::make_unique<Recorder<dim>>(parameters, state);
+    prepare_output_folder(directory, folder_mode(options), parameters.text);
+    if (!options.resume)
+      recorder = std::make_unique<Recorder<dim>>(parameters);
+
+    log.open_file(join_path(directory, "log.txt"), options.resume);
+    describe_case(the_case, log);
+    if (options.resume)
+      {
+        if (!recorder->warning().empty())
+          log.line(recorder->warning());
+        log.line("Resumed at t = " + std::to_string(state.time) + " s, step " +
+                 std::to_string(state.step) + ".");
+      }
+    return loop(the_case, options, options.resume, state, *recorder, log);
+  }
+
+
+  template RunStatus
+  run<2>(const Parameters &, const RunOptions &, const MPI_Comm);
+  template RunStatus
+  run<3>(const Parameters &, const RunOptions &, const MPI_Comm);
+} // namespace Waker

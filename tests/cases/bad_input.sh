@@ -1,0 +1,151 @@
+#!/bin/sh
+# SPDX-License-Identifier: LGPL-2.1-or-later
+#
+# Wrong input to the real program: each gets exit code 2, three lines on
+# standard error (where, what, what is allowed), and nothing is written.
+#
+# usage: bad_input.sh WAKER_BINARY SOURCE_DIR
+set -u
+
+waker=$(realpath "$1")
+source=$(realpath "$2")
+good=$source/parameters/chapter5/dyke.prm
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+mkdir "$work/in"
+cd "$work/in" || exit 1
+failures=0
+cases=0
+
+complain()
+{
+  echo "FAILED: $1: $2"
+  sed 's/^/    /' "$work/err"
+  failures=$((failures + 1))
+}
+
+# All files below the working folder with their contents.
+contents()
+{
+  find . | sort
+  find . -type f -exec cksum {} + | sort
+}
+
+# check NAME WHERE WHAT -- ARGUMENTS: WHERE and WHAT are regular expressions
+# that the first two lines must match.
+check()
+{
+  name=$1 where=$2 what=$3
+  shift 4
+  cases=$((cases + 1))
+  contents > "$work/before"
+  "$waker" "$@" > "$work/out" 2> "$work/err" < /dev/null
+  code=$?
+  contents > "$work/after"
+  [ "$code" -eq 2 ] || complain "$name" "exit code $code instead of 2"
+  [ "$(wc -l < "$work/err")" -eq 3 ] || complain "$name" "not three lines"
+  sed -n 1p "$work/err" | grep -Eq -e "$where" ||
+    complain "$name" "first line does not match '$where'"
+  sed -n 2p "$work/err" | grep -Eq -e "$what" ||
+    complain "$name" "second line does not match '$what'"
+  sed -n 3p "$work/err" | grep -Eq '^allowed: .' ||
+    complain "$name" "third line does not say what is allowed"
+  cmp -s "$work/before" "$work/after" || complain "$name" "wrote something"
+}
+
+# The same with one value of the good case changed: set NAME PATH VALUE WHAT
+set_value()
+{
+  check "$1" "^--set $2\$" "$4" -- run "$good" --set "$2=$3"
+}
+
+# The same with the good case edited by sed: edit NAME SCRIPT LINE WHAT
+edit()
+{
+  sed "$2" "$good" > case.prm
+  check "$1" "^case.prm$3\$" "$4" -- run case.prm
+}
+
+number=':[0-9]+'
+clay=Materials/clay
+
+# The command line.
+check 'no command' 'command line' 'subcommand' --
+check 'no file given' 'command line' 'FILE' -- run
+check 'unknown option' 'command line' 'fast' -- run "$good" --fast
+check 'both modes' 'command line' 'resume' -- run "$good" --resume --overwrite
+check 'unknown format' 'command line' 'yaml' -- parameters --format yaml
+check 'no value' '^--set Water$' 'cannot read' -- run "$good" --set Water
+
+# The file.
+check 'missing file' '^no.prm$' 'No such file' -- run no.prm
+check 'folder' '^\.$' 'is a folder' -- run .
+check 'empty input' '^standard input' 'no material' -- run -
+edit 'misspelt name' 's/Cell size/Cel size/' "$number" '"Cel size"'
+edit 'misspelt section' 's/subsection Grid/subsection Gird/' "$number" '"Gird"'
+edit 'duplicate name' '/Cell size/p' "$number" 'twice, first at case.prm:'
+edit 'duplicate section' 's/subsection Water/subsection Grid/' "$number" \
+  'twice, first at case.prm:'
+edit 'end missing' '$d' "$number" 'not closed'
+edit 'end too much' '$s/$/\nend/' "$number" 'without a subsection'
+edit 'no language' '1s/^/Hello/' "$number" 'Hello'
+edit 'material of no name' 's/Material = clay/Material = peat/' "$number" 'peat'
+
+# Values.
+set_value 'unknown name' 'Grid/Size' 1 '"Size"'
+set_value 'wrong type' 'Grid/Cell size' fine '"fine"'
+set_value 'out of range' 'Dimension' 4 '"4"'
+set_value 'no choice' 'Water/Side' up '"up"'
+set_value 'negative strength' "$clay/Initial strength" -1 '"-1"'
+set_value 'residual above initial' "$clay/Residual strength" 14 '14 kPa'
+set_value 'Poisson' "$clay/Poisson's ratio" 0.5 '0\.5'
+set_value 'snap-back' "$clay/Softening modulus" -600 'snap-back'
+set_value 'hardening' "$clay/Softening modulus" 50 '50 kPa'
+set_value 'time step' 'Time stepping/Time step' 0 'is 0'
+set_value 'end time' 'Time stepping/End time' 0 'is 0'
+set_value 'tolerance' 'Newton/Tolerance' 0 'is 0'
+set_value 'water above crest' 'Water/Level' 5.5 'above the crest at 5 m'
+set_value 'too many numbers' 'Grid/Upper corner' '42, 6, 1' '3 numbers'
+edit 'no layer' '/Layers/d; /subsection dyke/,/  end/d' \
+  ' \(default of Soil profile/Layers\)' 'no layer'
+
+# What only the grid can tell.
+polygon='Soil profile/dyke/Polygon'
+set_value 'no multiple of cells' 'Grid/Upper corner' '42.1, 6' 'multiple'
+set_value 'outside the grid' "$polygon" '0,0; 50,0; 15,5' 'outside'
+set_value 'self-crossing' "$polygon" '0,0; 30,0; 5,5; 15,5' 'Polygon'
+set_value 'two corners' "$polygon" '0,0; 30,0' 'Polygon'
+set_value 'no area' "$polygon" '0,0; 30,0; 15,0' 'Polygon'
+set_value 'points' 'Material points/Points per direction' 0 '"0"'
+check 'overlap' '^--set Soil profile/[a-z]+/Polygon$' 'overlap' -- \
+  run "$good" --set 'Soil profile/Layers=dyke, berm' \
+  --set 'Soil profile/berm/Material=clay' \
+  --set 'Soil profile/berm/Polygon=20,0; 35,0; 35,2; 20,2'
+check 'validate' '^--set' 'outside' -- \
+  run "$good" --validate --set "$polygon=0,0; 50,0; 15,5"
+check 'strength reduction' '^--set' 'the lower factor' -- \
+  strength-reduction "$good" --set 'Strength reduction/Upper factor=0.1'
+
+# The output folder. Root may write anywhere, but not below a file.
+touch file
+set_value 'below a file' 'Output/Directory' file/output 'file'
+set_value 'is a file' 'Output/Directory' file 'file'
+set_value 'no folder name' 'Output/Directory' '' 'empty'
+check 'nothing to resume' 'dyke.prm:[0-9]+' 'does not exist' -- run "$good" --resume
+
+mkdir full
+touch full/letter
+set_value 'not empty' 'Output/Directory' full 'full'
+
+short="--set Output/Directory=done"
+sed 's/^  set Cell size .*/  set Cell size = 0.5/; s/= 40$/= 0.05/' "$good" |
+  "$waker" run - $short --set 'Output/Checkpoint interval=0.01' \
+    > "$work/out" 2> "$work/err" ||
+  complain 'a good case' 'did not run'
+[ -f done/summary.json ] || complain 'a good case' 'left no summary'
+check 'run before' 'Output/Directory' 'done' -- run "$good" $short
+check 'checkpoint of another case' 'Output/Directory' 'another case' -- \
+  run "$good" $short --resume
+
+echo "$cases cases, $failures failures"
+[ "$failures" -eq 0 ]

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/errors.h>
+#include <waker/output/checkpoint.h>
+
+#include "output_temporary_folder.h"
+#include <gtest/gtest.h>
+
+namespace Waker
+{
+  namespace
+  {
+    const std::string hash = "0123456789abcdef";
+
+    /// Any bytes: zeros, line ends, high bits.
+    std::string
+    make_blob(const unsigned int size)
+    {
+      std::string blob;
+      for (unsigned int i = 0; i < size; ++i)
+        blob += static_cast<char>(i * i);
+      return blob;
+    }
+
+
+    std::string
+    problem_on_reading(const std::string &folder, const std::string &hash)
+    {
+      std::string warning;
+      try
+      {
+        CheckpointSlots(folder, hash).read_latest(warning);
+      }
+      catch (const UserError &error)
+      {
+        EXPECT_EQ(error.where, "Output/Directory");
+        return error.problem;
+      }
+      return "";
+    }
+
+
+    std::string
+    flip_byte(std::string text, const std::size_t at)
+    {
+      text.at(at) ^= 0x10;
+      return text;
+    }
+  } // namespace
+
+
+  TEST(Output, checkpoint_comes_back_as_it_was)
+  {
+    const TemporaryFolder folder;
+    const std::string blob = make_blob(10000);
+    CheckpointSlots(folder.path, hash).write(123456789012, blob);
+
+    std::string warning = "left over";
+    const Checkpoint read =
+      CheckpointSlots(folder.path, hash).read_latest(warning);
+    EXPECT_EQ(read.step, 123456789012u);
+    EXPECT_EQ(read.case_hash, hash);
+    EXPECT_EQ(read.blob, blob);
+    EXPECT_EQ(read.program.substr(0, 6), "waker ");
+    EXPECT_EQ(warning, "");
+  }
+
+
+  TEST(Output, checkpoints_alternate_also_after_a_resume)
+  {
+    const TemporaryFolder folder;
+    std::string warning;
+    {
+      CheckpointSlots slots(folder.path, hash);
+      for (const unsigned int step : {10, 20, 30})
+        slots.write(step, "state " + std::to_string(step));
+    }
+    {
+      // Slot 0 holds 30, slot 1 holds 20: the next one must replace 20.
+      CheckpointSlots slots(folder.path, hash);
+      EXPECT_EQ(slots.read_latest(warning).step, 30u);
+      slots.write(40, "state 40");
+      EXPECT_EQ(slots.read_latest(warning).step, 40u);
+      std::filesystem::remove(slots.slot_path(1));
+      EXPECT_EQ(slots.read_latest(warning).step, 30u);
+      EXPECT_EQ(warning, "");
+    }
+  }
+
+
+  TEST(Output, damaged_checkpoint_falls_back_to_the_older_one)
+  {
+    const TemporaryFolder folder;
+    CheckpointSlots slots(folder.path, hash);
+    slots.write(10, make_blob(100));
+    slots.write(20, make_blob(200));
+    const std::string newest = slots.slot_path(1);
+    const std::string whole  = get(newest);
+
+    // One byte changed anywhere, or the file cut short anywhere.
+    for (std::size_t at = 0; at < whole.size(); ++at)
+      for (const std::string &damaged :
+           {flip_byte(whole, at), whole.substr(0, at)})
+      {
+        put(newest, damaged);
+        std::string warning;
+        const Checkpoint read =
+          CheckpointSlots(folder.path, hash).read_latest(warning);
+        ASSERT_EQ(read.step, 10u) << "byte " << at;
+        ASSERT_EQ(read.blob, make_blob(100));
+        ASSERT_NE(warning.find(newest), std::string::npos);
+      }
+
+    // The next checkpoint must not overwrite the only good one.
+    std::string warning;
+    CheckpointSlots resumed(folder.path, hash);
+    resumed.read_latest(warning);
+    resumed.write(15, "new");
+    EXPECT_EQ(resumed.read_latest(warning).step, 15u);
+    EXPECT_EQ(get(slots.slot_path(0)).find("WAKERCP"), 0u);
+    std::filesystem::remove(newest);
+    EXPECT_EQ(resumed.read_latest(warning).step, 10u);
+  }
+
+
+  TEST(Output, checkpoint_of_another_case_is_refused)
+  {
+    const TemporaryFolder folder;
+    CheckpointSlots(folder.path, hash).write(10, "state");
+    EXPECT_EQ(problem_on_reading(folder.path, hash), "");
+    EXPECT_NE(
+      problem_on_reading(folder.path, "other").find("belongs to another case"),
+      std::string::npos);
+  }
+
+
+  TEST(Output, missing_and_useless_checkpoints_are_told_apart)
+  {
+    const TemporaryFolder folder;
+    EXPECT_NE(problem_on_reading(folder.path, hash).find("is no checkpoint"),
+              std::string::npos);
+    put(CheckpointSlots(folder.path, hash).slot_path(1), "WAKERCP\nnonsense");
+    EXPECT_NE(problem_on_reading(folder.path, hash).find("damaged"),
+              std::string::npos);
+  }
+
+
+  /// Written by the program of the first schema version: it must stay readable.
+  /// If the schema changes, add a file of the old version, never replace one.
+  TEST(Output, checkpoint_of_schema_version_1_can_be_read)
+  {
+    const TemporaryFolder folder;
+    const std::string data =
+      (std::filesystem::path(__FILE__).parent_path().parent_path() / "data" /
+       "checkpoint-v1.bin")
+        .string();
+    ASSERT_TRUE(std::filesystem::exists(data)) << data;
+    CheckpointSlots slots(folder.path, hash);
+    put(slots.slot_path(0), get(data));
+    std::string warning;
+    const Checkpoint read = slots.read_latest(warning);
+    EXPECT_EQ(read.step, 4321u);
+    EXPECT_EQ(read.blob, make_blob(64));
+
+    // The same file from a newer program: whole, but not for us.
+    std::string newer = get(data);
+    ASSERT_EQ(newer[8], 1);
+    newer[8] = 2;
+    // CRC-32 of the file with schema version 2, worked out independently
+    // (Python: zlib.crc32(f[8:12] + f[16:])).
+    const unsigned char crc[4] = {0xda, 0x67, 0x94, 0xa5};
+    for (unsigned int i = 0; i < 4; ++i)
+      newer[12 + i] = static_cast<char>(crc[i]);
+    put(slots.slot_path(0), newer);
+    EXPECT_NE(problem_on_reading(folder.path, hash).find("newer version"),
+              std::string::npos);
+  }
+} // namespace Waker

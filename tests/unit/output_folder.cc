@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/errors.h>
+#include <waker/output/output_folder.h>
+#include <waker/output/pvd.h>
+#include <waker/output/summary.h>
+
+#include "output_temporary_folder.h"
+#include <gtest/gtest.h>
+#include <limits>
+
+namespace Waker
+{
+  namespace fs = std::filesystem;
+
+  namespace
+  {
+    std::string
+    problem(const std::string &directory, const FolderMode mode)
+    {
+      try
+      {
+        check_output_folder(directory, mode);
+      }
+      catch (const UserError &error)
+      {
+        EXPECT_EQ(error.where, "Output/Directory");
+        EXPECT_FALSE(error.allowed.empty());
+        return error.problem;
+      }
+      return "";
+    }
+
+
+    bool
+    contains(const std::string &text, const std::string &part)
+    {
+      return text.find(part) != std::string::npos;
+    }
+  } // namespace
+
+
+  TEST(Output, folder_is_checked_without_writing)
+  {
+    const TemporaryFolder folder;
+    const std::string fresh = folder.file("a/b/c");
+    EXPECT_EQ(problem(fresh, FolderMode::must_be_new), "");
+    EXPECT_EQ(problem(fresh, FolderMode::overwrite), "");
+    EXPECT_TRUE(contains(problem(fresh, FolderMode::resume), "does not exist"));
+    EXPECT_TRUE(fs::is_empty(folder.path));
+    EXPECT_EQ(problem(folder.path, FolderMode::must_be_new), "");
+
+    put(folder.file("file"), "mine");
+    for (const FolderMode mode :
+         {FolderMode::must_be_new, FolderMode::overwrite, FolderMode::resume})
+      EXPECT_TRUE(contains(problem(folder.file("file"), mode), "is a file"));
+    EXPECT_TRUE(
+      contains(problem(folder.file("file/below"), FolderMode::must_be_new),
+               "is not a folder"));
+    EXPECT_TRUE(
+      contains(problem(folder.path, FolderMode::must_be_new), "is not empty"));
+    EXPECT_EQ(problem(folder.path, FolderMode::overwrite), "");
+    EXPECT_EQ(problem(folder.path, FolderMode::resume), "");
+    EXPECT_TRUE(contains(problem("", FolderMode::overwrite), "is empty"));
+  }
+
+
+  TEST(Output, folder_that_cannot_be_made_is_the_users_matter)
+  {
+    // Not even root can make a folder there.
+    EXPECT_THROW(prepare_output_folder("/proc/waker",
+                                       FolderMode::must_be_new,
+                                       ""),
+                 UserError);
+  }
+
+
+  TEST(Output, overwriting_removes_a_run_and_nothing_else)
+  {
+    const TemporaryFolder folder;
+    const std::string run = folder.file("run");
+    prepare_output_folder(run, FolderMode::must_be_new, "first");
+    EXPECT_EQ(get(run + "/parameters.prm"), "first");
+    EXPECT_TRUE(fs::is_directory(run + "/solution"));
+
+    const char *const ours[] = {"log.txt",
+                                "statistics",
+                                "summary.json",
+                                "particles.pvd",
+                                "surface.pvd.tmp",
+                                "solution/particles-00012.vtu",
+                                "solution/grid-123456.vtu",
+                                "checkpoints/checkpoint-0.bin",
+                                "checkpoints/checkpoint-1.bin.tmp"};
+    const char *const mine[] = {"notes.txt",
+                                "statistics.ods",
+                                "solution/particles-best.vtu",
+                                "solution/old/particles-00001.vtu"};
+    for (const char *const name : ours)
+      put(run + "/" + name, "x");
+    for (const char *const name : mine)
+      put(run + "/" + name, "x");
+
+    prepare_output_folder(run, FolderMode::resume, "second");
+    for (const char *const name : ours)
+      EXPECT_TRUE(fs::exists(run + "/" + name)) << name;
+    EXPECT_THROW(prepare_output_folder(run, FolderMode::must_be_new, "third"),
+                 UserError);
+    EXPECT_EQ(get(run + "/parameters.prm"), "second");
+
+    prepare_output_folder(run, FolderMode::overwrite, "fourth");
+    for (const char *const name : ours)
+      EXPECT_FALSE(fs::exists(run + "/" + name)) << name;
+    for (const char *const name : mine)
+      EXPECT_TRUE(fs::exists(run + "/" + name)) << name;
+    EXPECT_FALSE(fs::exists(run + "/checkpoints"));
+    EXPECT_EQ(get(run + "/parameters.prm"), "fourth");
+  }
+
+
+  TEST(Output, pvd_of_a_resumed_run_forgets_what_came_after_the_checkpoint)
+  {
+    const TemporaryFolder folder;
+    fs::create_directory(folder.file("solution"));
+    std::vector<PvdEntry> at_checkpoint;
+    {
+      PvdSeries series(folder.path, "particles");
+      for (unsigned int i = 0; i < 5; ++i)
+      {
+        put(series.next_path(), "frame");
+        series.add(0.1 * i);
+        if (i == 2)
+          at_checkpoint = series.entries();
+      }
+    }
+    ASSERT_EQ(at_checkpoint.size(), 3u);
+    EXPECT_EQ(at_checkpoint[2].file, "solution/particles-00002.vtu");
+    const std::string whole = get(folder.file("particles.pvd"));
+    EXPECT_TRUE(contains(whole,
+                         "timestep=\"0.4\" group=\"\" part=\"0\" "
+                         "file=\"solution/particles-00004.vtu\""));
+
+    PvdSeries series(folder.path, "particles");
+    series.restore(at_checkpoint);
+    EXPECT_FALSE(contains(get(folder.file("particles.pvd")), "00003"));
+    EXPECT_TRUE(contains(get(folder.file("particles.pvd")), "00002"));
+    EXPECT_TRUE(fs::exists(folder.file("solution/particles-00002.vtu")));
+    EXPECT_FALSE(fs::exists(folder.file("solution/particles-00003.vtu")));
+    EXPECT_FALSE(fs::exists(folder.file("solution/particles-00004.vtu")));
+
+    for (unsigned int i = 3; i < 5; ++i)
+    {
+      put(series.next_path(), "frame");
+      series.add(0.1 * i);
+    }
+    EXPECT_EQ(get(folder.file("particles.pvd")), whole);
+  }
+
+
+  TEST(Output, summary_comes_back_as_it_was)
+  {
+    const TemporaryFolder folder;
+    Summary summary;
+    summary.outcome              = "flooding";
+    summary.stop_reason          = "a \"quoted\" reason";
+    summary.initial_failure_time = 3.141592653589793;
+    summary.residual_width       = 0.1 + 0.2;
+    summary.residual_height      = std::numeric_limits<double>::quiet_NaN();
+    summary.steps                = 9007199254740993; // no double holds it
+    summary.unconverged_steps    = 2;
+    summary.parameters_hash      = "abc";
+    summary.write(folder.file("summary.json"));
+
+    const Summary read = Summary::read(folder.file("summary.json"));
+    EXPECT_EQ(read.outcome, summary.outcome);
+    EXPECT_EQ(read.stop_reason, summary.stop_reason);
+    EXPECT_EQ(read.initial_failure_time, summary.initial_failure_time);
+    EXPECT_FALSE(read.initial_failure_time_thesis.has_value());
+    EXPECT_FALSE(read.flooding_time.has_value());
+    EXPECT_EQ(read.residual_width, summary.residual_width);
+    EXPECT_NE(read.residual_height, read.residual_height);
+    EXPECT_EQ(read.steps, summary.steps);
+    EXPECT_EQ(read.unconverged_steps, 2u);
+    EXPECT_EQ(read.parameters_hash, "abc");
+    EXPECT_FALSE(read.version.empty());
+    EXPECT_FALSE(read.compiler.empty());
+    EXPECT_TRUE(
+      contains(get(folder.file("summary.json")), "\"flooding_time\": null"));
+    EXPECT_FALSE(fs::exists(folder.file("summary.json.tmp")));
+  }
+
+
+  TEST(Output, summary_of_a_newer_version_or_none_is_refused)
+  {
+    const TemporaryFolder folder;
+    EXPECT_THROW(Summary::read(folder.file("summary.json")), UserError);
+    put(folder.file("summary.json"), "{\"outcome\": ");
+    EXPECT_THROW(Summary::read(folder.file("summary.json")), UserError);
+    Summary summary;
+    summary.schema_version = Summary::current_schema_version + 1;
+    summary.write(folder.file("summary.json"));
+    EXPECT_THROW(Summary::read(folder.file("summary.json")), UserError);
+  }
+} // namespace Waker

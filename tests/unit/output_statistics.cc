@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/errors.h>
+#include <waker/output/statistics.h>
+
+#include "output_temporary_folder.h"
+#include <gtest/gtest.h>
+
+namespace Waker
+{
+  namespace
+  {
+    void
+    add_rows(Statistics &statistics,
+             const unsigned int from,
+             const unsigned int to)
+    {
+      for (unsigned int step = from; step < to; ++step)
+      {
+        statistics.begin_row(step);
+        statistics.add("Time (s)", 0.1 * step);
+        statistics.add("Dyke width (m)", -1. / 3.);
+        statistics.end_row();
+      }
+    }
+  } // namespace
+
+
+  TEST(Output, statistics_describe_themselves)
+  {
+    const TemporaryFolder folder;
+    {
+      Statistics statistics(folder.file("statistics"));
+      add_rows(statistics, 0, 2);
+    }
+    EXPECT_EQ(get(folder.file("statistics")),
+              "# 1: Step\n# 2: Time (s)\n# 3: Dyke width (m)\n"
+              "0 0 -0.3333333333\n1 0.1 -0.3333333333\n");
+  }
+
+
+  TEST(Output, statistics_are_in_the_file_after_flush)
+  {
+    const TemporaryFolder folder;
+    Statistics statistics(folder.file("statistics"));
+    add_rows(statistics, 0, 3);
+    statistics.flush();
+    EXPECT_NE(get(folder.file("statistics")).find("\n2 0.2 "),
+              std::string::npos);
+  }
+
+
+  TEST(Output, statistics_refuse_other_columns)
+  {
+    Statistics statistics("");
+    add_rows(statistics, 0, 1);
+    statistics.begin_row(1);
+    EXPECT_ANY_THROW(statistics.add("Dyke width (m)", 1.));
+    statistics.begin_row(2);
+    statistics.add("Time (s)", 1.);
+    EXPECT_ANY_THROW(statistics.end_row());
+  }
+
+
+  TEST(Output, resumed_statistics_equal_uninterrupted_ones)
+  {
+    const TemporaryFolder folder;
+    {
+      Statistics statistics(folder.file("whole"));
+      add_rows(statistics, 0, 12);
+    }
+    {
+      Statistics statistics(folder.file("killed"));
+      add_rows(statistics, 0, 9);
+    }
+    // Killed while it wrote row 9, with the last checkpoint before step 5.
+    put(folder.file("killed"), get(folder.file("killed")) + "9 0.9 -0.33");
+    {
+      Statistics statistics(folder.file("killed"), 5);
+      EXPECT_EQ(statistics.columns().size(), 3u);
+      add_rows(statistics, 5, 12);
+    }
+    EXPECT_EQ(get(folder.file("killed")), get(folder.file("whole")));
+
+    // Resumed from before the first row, and with half a header.
+    {
+      Statistics statistics(folder.file("killed"), 0);
+      add_rows(statistics, 0, 12);
+    }
+    EXPECT_EQ(get(folder.file("killed")), get(folder.file("whole")));
+    put(folder.file("killed"), "# 1: Step\n# 2: Ti");
+    {
+      Statistics statistics(folder.file("killed"), 0);
+      add_rows(statistics, 0, 12);
+    }
+    EXPECT_EQ(get(folder.file("killed")), get(folder.file("whole")));
+  }
+
+
+  TEST(Output, resumed_statistics_keep_their_columns)
+  {
+    const TemporaryFolder folder;
+    {
+      Statistics statistics(folder.file("statistics"));
+      add_rows(statistics, 0, 4);
+    }
+    Statistics statistics(folder.file("statistics"), 4);
+    statistics.begin_row(4);
+    EXPECT_ANY_THROW(statistics.add("Energy (kJ)", 1.));
+  }
+
+
+  TEST(Output, statistics_that_cannot_be_written_are_the_users_matter)
+  {
+    const TemporaryFolder folder;
+    EXPECT_THROW(Statistics(folder.file("none/statistics")), UserError);
+  }
+} // namespace Waker
