@@ -4,8 +4,8 @@ python3-paraview, xvfb, xauth), without a display:
 
     xvfb-run -a pvbatch contrib/paraview/render.py RUN PNG [FIELD]
 
-Points coloured by FIELD (undrained_shear_strength), detected surface in red,
-wetted part of it in blue.
+Points coloured by FIELD (undrained_shear_strength), detected surface in red, its
+wetted part in blue, the base in black.
 """
 
 import os
@@ -41,16 +41,19 @@ bar.Title = field.replace("_", " ")
 surface_file = os.path.join(run, "surface.pvd")
 if os.path.exists(surface_file):
     surface = PVDReader(FileName=surface_file)
-    for wetted, colour in ((0, [1.0, 0.0, 0.0]), (1, [0.2, 0.5, 0.9])):
-        part = Threshold(Input=surface, Scalars=["POINTS", "wetted"])
-        part.LowerThreshold = part.UpperThreshold = wetted
+    for name, value, colour, width in (
+            ("wetted", 0, [1.0, 0.0, 0.0], 2.0),
+            ("on_face", 2, [0.0, 0.0, 0.0], 4.0),  # the grid's lower face
+            ("wetted", 1, [0.2, 0.5, 0.9], 4.0)):
+        part = Threshold(Input=surface, Scalars=["POINTS", name])
+        part.LowerThreshold = part.UpperThreshold = value
         part.UpdatePipeline(time)
         if part.GetDataInformation().GetNumberOfCells() == 0:
             continue
         lines = Show(part, view)
         lines.ColorArrayName = ["POINTS", ""]  # one colour
         lines.AmbientColor = lines.DiffuseColor = colour
-        lines.LineWidth = 2.0 + 2.0 * wetted
+        lines.LineWidth = width
 
 view.ViewTime = time
 bounds = points.GetDataInformation().GetBounds()

@@ -25,6 +25,7 @@ import matplotlib.pyplot as plt
 import meshio
 import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
+from mpl_toolkits.axes_grid1 import make_axes_locatable
 
 
 def read_series(run, name):
@@ -151,7 +152,8 @@ def plot(run, frame, field, output, dpi):
     label = field.replace("_", " ")
     if field == "undrained_shear_strength":
         label = "undrained shear\nstrength (kPa)"
-    figure.colorbar(collection, ax=axes, label=label, pad=0.01, shrink=0.8)
+    bar = make_axes_locatable(axes).append_axes("right", "1.5%", pad=0.1)
+    figure.colorbar(collection, cax=bar, label=label)
 
     axes.plot([x_min, x_max], [base, base], color="black", linewidth=2,
               zorder=3, solid_capstyle="butt")

@@ -27,7 +27,7 @@ namespace Waker
     {
       const auto total = static_cast<long>(std::min(std::ceil(time), 1e9));
       const long h = total / 3600, m = total / 60 % 60, s = total % 60;
-      char text[64];
+      char       text[64];
       if (h > 0)
         std::snprintf(text, sizeof(text), "%ld:%02ld:%02ld", h, m, s);
       else if (m > 0)
@@ -71,10 +71,10 @@ namespace Waker
   {
     // Flushed each time: the last lines matter most if a run is killed.
     if (screen != nullptr)
-    {
-      erase_bar();
-      *screen << text << '\n' << std::flush;
-    }
+      {
+        erase_bar();
+        *screen << text << '\n' << std::flush;
+      }
     if (file.is_open())
       file << text << '\n' << std::flush;
   }
@@ -96,18 +96,18 @@ namespace Waker
     const Clock::time_point now = Clock::now();
     last_time                   = now;
     if (!started)
-    {
-      // From here on the speed is measured: a resumed run does not begin
-      // at 0. Nothing is known yet, so on paper there is nothing to say.
-      started        = true;
-      start_time     = now;
-      start_fraction = fraction;
-      if (!terminal)
-        return;
-    }
+      {
+        // From here on the speed is measured: a resumed run does not begin
+        // at 0. Nothing is known yet, so on paper there is nothing to say.
+        started        = true;
+        start_time     = now;
+        start_fraction = fraction;
+        if (!terminal)
+          return;
+      }
 
     const double done = std::clamp(fraction, 0., 1.);
-    std::string left;
+    std::string  left;
     if (done > start_fraction)
       left = ", " +
              format_time(seconds(now - start_time) * (1. - done) /
@@ -119,15 +119,15 @@ namespace Waker
     if (!terminal)
       line(std::string("  ") + percent + "  " + text + left);
     else if (screen != nullptr)
-    {
-      constexpr unsigned int width = 30;
-      const auto n = static_cast<unsigned int>(std::floor(done * width));
-      // "\033[K" erases what the bar before left at the end of the line.
-      *screen << '\r' << '[' << std::string(n, '=')
-              << std::string(width - n, ' ') << "] " << percent << "  " << text
-              << left << "\033[K" << std::flush;
-      bar_shown = true;
-    }
+      {
+        constexpr unsigned int width = 30;
+        const auto n = static_cast<unsigned int>(std::floor(done * width));
+        // "\033[K" erases what the bar before left at the end of the line.
+        *screen << '\r' << '[' << std::string(n, '=')
+                << std::string(width - n, ' ') << "] " << percent << "  "
+                << text << left << "\033[K" << std::flush;
+        bar_shown = true;
+      }
   }
 
 

@@ -17,14 +17,14 @@ namespace Waker
       // All lie on one line through the first if all cross products with the
       // first different direction vanish.
       for (std::size_t k = 2; k < n; ++k)
-      {
-        const long long ax = nodes[1].dx - nodes[0].dx;
-        const long long ay = nodes[1].dy - nodes[0].dy;
-        const long long bx = nodes[k].dx - nodes[0].dx;
-        const long long by = nodes[k].dy - nodes[0].dy;
-        if (ax * by != ay * bx)
-          return true;
-      }
+        {
+          const long long ax = nodes[1].dx - nodes[0].dx;
+          const long long ay = nodes[1].dy - nodes[0].dy;
+          const long long bx = nodes[k].dx - nodes[0].dx;
+          const long long by = nodes[k].dy - nodes[0].dy;
+          if (ax * by != ay * bx)
+            return true;
+        }
       return false;
     }
 
@@ -38,17 +38,17 @@ namespace Waker
     {
       double a00 = 0, a01 = 0, a02 = 0, a11 = 0, a12 = 0, a22 = 0;
       for (std::size_t k = 0; k < n; ++k)
-      {
-        const double x   = nodes[k].dx;
-        const double y   = nodes[k].dy;
-        const double phi = 1. / (nodes[k].distance * nodes[k].distance);
-        a00 += phi;
-        a01 += phi * x;
-        a02 += phi * y;
-        a11 += phi * x * x;
-        a12 += phi * x * y;
-        a22 += phi * y * y;
-      }
+        {
+          const double x   = nodes[k].dx;
+          const double y   = nodes[k].dy;
+          const double phi = 1. / (nodes[k].distance * nodes[k].distance);
+          a00 += phi;
+          a01 += phi * x;
+          a02 += phi * y;
+          a11 += phi * x * x;
+          a12 += phi * x * y;
+          a22 += phi * y * y;
+        }
 
       // First column of the inverse of the symmetric matrix.
       const double c0  = a11 * a22 - a12 * a12;
@@ -58,12 +58,12 @@ namespace Waker
 
       double largest = 0.;
       for (std::size_t k = 0; k < n; ++k)
-      {
-        const double phi = 1. / (nodes[k].distance * nodes[k].distance);
-        nodes[k].weight =
-          phi * (c0 + c1 * nodes[k].dx + c2 * nodes[k].dy) / det;
-        largest = std::max(largest, std::abs(nodes[k].weight));
-      }
+        {
+          const double phi = 1. / (nodes[k].distance * nodes[k].distance);
+          nodes[k].weight =
+            phi * (c0 + c1 * nodes[k].dx + c2 * nodes[k].dy) / det;
+          largest = std::max(largest, std::abs(nodes[k].weight));
+        }
       return largest;
     }
   } // namespace
@@ -71,14 +71,14 @@ namespace Waker
 
 
   void
-  find_support(const double *mass,
-               const double minimum_mass,
+  find_support(const double                      *mass,
+               const double                       minimum_mass,
                const std::array<unsigned int, 2> &n,
-               const unsigned int node,
-               std::vector<SupportNode> &nodes)
+               const unsigned int                 node,
+               std::vector<SupportNode>          &nodes)
   {
     constexpr double largest_weight = 2.;
-    constexpr int largest_radius    = 4; // of a search for smaller weights
+    constexpr int    largest_radius = 4; // of a search for smaller weights
 
     nodes.clear();
     const int nx   = n[0];
@@ -101,44 +101,44 @@ namespace Waker
 
     // Squares grow by rings, so a smaller square is a shorter part of `nodes`.
     std::size_t n_best = 0;
-    double best        = std::numeric_limits<double>::max();
+    double      best   = std::numeric_limits<double>::max();
     for (int r = 1; r <= last; ++r)
-    {
-      for (int i = i0 - r; i <= i0 + r; ++i)
       {
-        consider(i, j0 - r);
-        consider(i, j0 + r);
-      }
-      for (int j = j0 - r + 1; j < j0 + r; ++j)
-      {
-        consider(i0 - r, j);
-        consider(i0 + r, j);
-      }
+        for (int i = i0 - r; i <= i0 + r; ++i)
+          {
+            consider(i, j0 - r);
+            consider(i, j0 + r);
+          }
+        for (int j = j0 - r + 1; j < j0 + r; ++j)
+          {
+            consider(i0 - r, j);
+            consider(i0 + r, j);
+          }
 
-      if (determine_plane(nodes, nodes.size()))
-      {
-        const double size = set_weights(nodes, nodes.size());
-        if (size < best)
-        {
-          best   = size;
-          n_best = nodes.size();
-        }
-        if (best <= largest_weight)
+        if (determine_plane(nodes, nodes.size()))
+          {
+            const double size = set_weights(nodes, nodes.size());
+            if (size < best)
+              {
+                best   = size;
+                n_best = nodes.size();
+              }
+            if (best <= largest_weight)
+              break;
+          }
+        if (n_best > 0 && r >= largest_radius)
           break;
       }
-      if (n_best > 0 && r >= largest_radius)
-        break;
-    }
 
     if (n_best > 0)
-    {
-      if (n_best < nodes.size())
       {
-        nodes.resize(n_best);
-        set_weights(nodes, n_best);
+        if (n_best < nodes.size())
+          {
+            nodes.resize(n_best);
+            set_weights(nodes, n_best);
+          }
+        return;
       }
-      return;
-    }
 
     // On one line, or none: the nearest.
     if (nodes.empty())

@@ -11,8 +11,8 @@ namespace Waker
 {
   template <int dim>
   ProximityField<dim>::ProximityField(const BackgroundGrid<dim> &grid,
-                                      const SurfaceParameters &parameters,
-                                      const unsigned int closed_faces)
+                                      const SurfaceParameters   &parameters,
+                                      const unsigned int         closed_faces)
     : radius(parameters.kernel_radius)
     , threshold(parameters.threshold)
     , inverse_h(grid.inverse_cell_size())
@@ -32,27 +32,27 @@ namespace Waker
     std::array<std::vector<double>, 2> window;
     first_traced = 0;
     for (unsigned int d = 0; d < 2; ++d)
-    {
-      const int n      = grid.n_nodes_per_direction()[d];
-      const bool lower = closed_faces >> (2 * d) & 1u;
-      const bool upper = closed_faces >> (2 * d + 1) & 1u;
-      const int m      = BackgroundGrid<dim>::margin;
+      {
+        const int  n     = grid.n_nodes_per_direction()[d];
+        const bool lower = closed_faces >> (2 * d) & 1u;
+        const bool upper = closed_faces >> (2 * d + 1) & 1u;
+        const int  m     = BackgroundGrid<dim>::margin;
 
-      const double far   = 1e6;
-      mirrors[2 * d]     = (lower && parameters.mirror) ? m : -far;
-      mirrors[2 * d + 1] = (upper && parameters.mirror) ? n - 1 - m : far;
+        const double far   = 1e6;
+        mirrors[2 * d]     = (lower && parameters.mirror) ? m : -far;
+        mirrors[2 * d + 1] = (upper && parameters.mirror) ? n - 1 - m : far;
 
-      // The contour is sought up to a closed face, else over the margin too.
-      const int begin = lower ? m : 0;
-      const int end   = upper ? n - m : n;
-      for (int i = begin; i < end; ++i)
-        window[d].push_back(origin[d] + h * i);
-      if (lower)
-        window[d].front() = grid.lower_corner()[d];
-      if (upper)
-        window[d].back() = grid.upper_corner()[d];
-      first_traced += begin * (d == 0 ? 1 : n_x);
-    }
+        // The contour is sought up to a closed face, else over the margin too.
+        const int begin = lower ? m : 0;
+        const int end   = upper ? n - m : n;
+        for (int i = begin; i < end; ++i)
+          window[d].push_back(origin[d] + h * i);
+        if (lower)
+          window[d].front() = grid.lower_corner()[d];
+        if (upper)
+          window[d].back() = grid.upper_corner()[d];
+        first_traced += begin * (d == 0 ? 1 : n_x);
+      }
     contour = MarchingSquares(window, closed_faces);
   }
 
@@ -63,11 +63,11 @@ namespace Waker
   void
   ProximityField<dim>::add_kernels(const MaterialPoints<dim> &points)
   {
-    double *const values    = nodal_field.data();
-    const int nx            = n_x;
-    const int ny            = n_y;
-    const double a          = radius;
-    const double inverse_a2 = 1. / (a * a);
+    double *const values     = nodal_field.data();
+    const int     nx         = n_x;
+    const int     ny         = n_y;
+    const double  a          = radius;
+    const double  inverse_a2 = 1. / (a * a);
 
     // (x, y) in cells from the origin.
     const auto add = [=](const double x, const double y, const double c) {
@@ -81,48 +81,48 @@ namespace Waker
 
       if (i0 >= 0 && j0 >= 0 && i0 + width <= nx && j0 + width <= ny)
         for (int j = 0; j < width; ++j)
-        {
-          const double t    = 1. - (j0 + j - y) * (j0 + j - y) * inverse_a2;
-          double *const row = values + (j0 + j) * nx + i0;
-          for (int i = 0; i < width; ++i)
-            row[i] += c * std::max(t - u2[i], 0.);
-        }
+          {
+            const double  t   = 1. - (j0 + j - y) * (j0 + j - y) * inverse_a2;
+            double *const row = values + (j0 + j) * nx + i0;
+            for (int i = 0; i < width; ++i)
+              row[i] += c * std::max(t - u2[i], 0.);
+          }
       else // at the edge of the lattice
         for (int j = std::max(j0, 0); j < std::min(j0 + width, ny); ++j)
           for (int i = std::max(i0, 0); i < std::min(i0 + width, nx); ++i)
-          {
-            const double t = 1. - (j - y) * (j - y) * inverse_a2;
-            values[j * nx + i] += c * std::max(t - u2[i - i0], 0.);
-          }
+            {
+              const double t = 1. - (j - y) * (j - y) * inverse_a2;
+              values[j * nx + i] += c * std::max(t - u2[i - i0], 0.);
+            }
     };
 
     const std::size_t n_points = points.n_points();
     for (std::size_t p = 0; p < n_points; ++p)
-    {
-      const double x = (points.position[p][0] - origin[0]) * inverse_h;
-      const double y = (points.position[p][1] - origin[1]) * inverse_h;
-      const double c = points.volume[p] * factor;
-      add(x, y, c);
-
-      if (x - a < mirrors[0] || x + a > mirrors[1] || y - a < mirrors[2] ||
-          y + a > mirrors[3])
       {
-        // All images: in x, in y and, at a corner, in both.
-        double xs[3] = {x};
-        double ys[3] = {y};
-        int n_xs     = 1;
-        int n_ys     = 1;
-        for (int side = 0; side < 2; ++side)
-        {
-          if (std::abs(x - mirrors[side]) < a)
-            xs[n_xs++] = 2 * mirrors[side] - x;
-          if (std::abs(y - mirrors[2 + side]) < a)
-            ys[n_ys++] = 2 * mirrors[2 + side] - y;
-        }
-        for (int k = 1; k < n_xs * n_ys; ++k)
-          add(xs[k % n_xs], ys[k / n_xs], c);
+        const double x = (points.position[p][0] - origin[0]) * inverse_h;
+        const double y = (points.position[p][1] - origin[1]) * inverse_h;
+        const double c = points.volume[p] * factor;
+        add(x, y, c);
+
+        if (x - a < mirrors[0] || x + a > mirrors[1] || y - a < mirrors[2] ||
+            y + a > mirrors[3])
+          {
+            // All images: in x, in y and, at a corner, in both.
+            double xs[3] = {x};
+            double ys[3] = {y};
+            int    n_xs  = 1;
+            int    n_ys  = 1;
+            for (int side = 0; side < 2; ++side)
+              {
+                if (std::abs(x - mirrors[side]) < a)
+                  xs[n_xs++] = 2 * mirrors[side] - x;
+                if (std::abs(y - mirrors[2 + side]) < a)
+                  ys[n_ys++] = 2 * mirrors[2 + side] - y;
+              }
+            for (int k = 1; k < n_xs * n_ys; ++k)
+              add(xs[k % n_xs], ys[k / n_xs], c);
+          }
       }
-    }
   }
 
 
@@ -135,19 +135,19 @@ namespace Waker
     // An open interval of length 2a holds at most ceil(2a) nodes. A fixed
     // number lets the compiler unroll the loops.
     switch (static_cast<int>(std::ceil(2 * radius)))
-    {
-      case 1:
-        add_kernels<1>(points);
-        break;
-      case 2:
-        add_kernels<2>(points);
-        break;
-      case 3:
-        add_kernels<3>(points);
-        break;
-      default:
-        add_kernels<4>(points);
-    }
+      {
+        case 1:
+          add_kernels<1>(points);
+          break;
+        case 2:
+          add_kernels<2>(points);
+          break;
+        case 3:
+          add_kernels<3>(points);
+          break;
+        default:
+          add_kernels<4>(points);
+      }
     return nodal_field;
   }
 
@@ -156,7 +156,7 @@ namespace Waker
   template <int dim>
   void
   ProximityField<dim>::detect(const MaterialPoints<dim> &points,
-                              Surface &surface)
+                              Surface                   &surface)
   {
     field(points);
     contour.trace(nodal_field.data() + first_traced, n_x, threshold, surface);

@@ -27,13 +27,13 @@ namespace Waker
 
   StopReason
   decide(const StopParameters &parameters,
-         const FailureRecord & failure,
+         const FailureRecord  &failure,
          const double          time,
          const double          end_time,
          const double          settling_time,
          const double          mean_plastic_strain,
          const double          displacement_rate,
-         RestRecord &          rest)
+         RestRecord           &rest)
   {
     const bool rests = time > settling_time &&
                        mean_plastic_strain < parameters.rest_plastic_strain &&
@@ -49,8 +49,8 @@ namespace Waker
       return StopReason::initial_failure;
     if (parameters.at_rest && rests &&
         time - rest.since >= parameters.rest_duration)
-      return failure.failed() ? StopReason::failed_at_rest :
-                                StopReason::stable_at_rest;
+      return failure.failed() ? StopReason::failed_at_rest
+                              : StopReason::stable_at_rest;
     // Round-off in the sum of the steps must not add a step.
     if (time >= end_time * (1. - 1e-12))
       return StopReason::end_time;

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/dofs/dof_tools.h>
-
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_system.h>
-
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/tria.h>
 
@@ -42,11 +40,12 @@ namespace Waker
                         "a positive length");
       const double n = std::round((b - a) / h);
       if (!(n >= 1.))
-        throw UserError("Grid/Upper corner",
-                        "the box has no cells: it reaches from " +
-                          std::to_string(a) + " to " + std::to_string(b) +
-                          " m with cells of " + std::to_string(h) + " m",
-                        "an upper corner above the lower one in each direction");
+        throw UserError(
+          "Grid/Upper corner",
+          "the box has no cells: it reaches from " + std::to_string(a) +
+            " to " + std::to_string(b) + " m with cells of " +
+            std::to_string(h) + " m",
+          "an upper corner above the lower one in each direction");
       if (std::abs(b - a - n * h) > 1e-6 * h)
         throw UserError("Grid/Upper corner",
                         "the box from " + std::to_string(a) + " to " +
@@ -76,9 +75,9 @@ namespace Waker
     Point<dim>                outer_upper;
     for (unsigned int d = 0; d < dim; ++d)
       {
-        n_cells[d]     = count_cells(lower[d], upper[d], h) + 2 * margin;
-        n_nodes_1d[d]  = n_cells[d] + 1;
-        strides[d]     = n_nodes_total;
+        n_cells[d]    = count_cells(lower[d], upper[d], h) + 2 * margin;
+        n_nodes_1d[d] = n_cells[d] + 1;
+        strides[d]    = n_nodes_total;
         n_nodes_total *= n_nodes_1d[d];
         n_cells_total *= n_cells[d];
         node_origin[d] = lower[d] - margin * h;
@@ -101,8 +100,8 @@ namespace Waker
         cell->get_dof_indices(cell_dofs);
         for (unsigned int i = 0; i < cell_dofs.size(); ++i)
           {
-            const auto       component = deal_ii->fe.system_to_component_index(i);
-            const Point<dim> x         = cell->vertex(component.second);
+            const auto component = deal_ii->fe.system_to_component_index(i);
+            const Point<dim> x   = cell->vertex(component.second);
             Index            index;
             for (unsigned int d = 0; d < dim; ++d)
               index[d] =

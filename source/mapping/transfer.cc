@@ -12,13 +12,13 @@ namespace Waker
     /// Add the mass, momentum and momentum rate of one point.
     inline void
     scatter_point(const PointWeights<2> &w,
-                  const Stencil<2> &     stencil,
+                  const Stencil<2>      &stencil,
                   const double           m,
-                  const Tensor<1, 2> &   velocity,
-                  const Tensor<1, 2> &   acceleration,
-                  double *               mass,
-                  double *               momentum,
-                  double *               rate)
+                  const Tensor<1, 2>    &velocity,
+                  const Tensor<1, 2>    &acceleration,
+                  double                *mass,
+                  double                *momentum,
+                  double                *rate)
     {
       unsigned int node = w.base;
       for (unsigned int j = 0; j < 3; ++j, node += stencil.row / 2)
@@ -26,7 +26,7 @@ namespace Waker
           const double mj = m * w.value[1][j];
           for (unsigned int i = 0; i < 3; ++i)
             {
-              const double s = mj * w.value[0][i];
+              const double       s = mj * w.value[0][i];
               const unsigned int n = node + i;
               mass[n] += s;
               for (unsigned int c = 0; c < 2; ++c)
@@ -41,13 +41,13 @@ namespace Waker
 
     inline void
     scatter_point(const PointWeights<3> &w,
-                  const Stencil<3> &     stencil,
+                  const Stencil<3>      &stencil,
                   const double           m,
-                  const Tensor<1, 3> &   velocity,
-                  const Tensor<1, 3> &   acceleration,
-                  double *               mass,
-                  double *               momentum,
-                  double *               rate)
+                  const Tensor<1, 3>    &velocity,
+                  const Tensor<1, 3>    &acceleration,
+                  double                *mass,
+                  double                *momentum,
+                  double                *rate)
     {
       for (unsigned int k = 0; k < 3; ++k)
         for (unsigned int j = 0; j < 3; ++j)
@@ -74,8 +74,8 @@ namespace Waker
   template <int dim>
   void
   to_nodes(const MaterialPoints<dim> &points,
-           const Weights<dim> &       weights,
-           NodalState &               nodes)
+           const Weights<dim>        &weights,
+           NodalState                &nodes)
   {
     const Stencil<dim> stencil(weights.background_grid());
     nodes.velocity     = 0.;
@@ -121,8 +121,8 @@ namespace Waker
 
   template <int dim>
   TransferReport
-  to_particles(const NodalState &   nodes,
-               const Weights<dim> & weights,
+  to_particles(const NodalState    &nodes,
+               const Weights<dim>  &weights,
                const double         dt,
                MaterialPoints<dim> &points)
   {

@@ -20,9 +20,9 @@ namespace Waker
   {
     const std::size_t n = points.n_points();
     weights.resize(n);
-    const double       inverse_h = grid->inverse_cell_size();
-    const Point<dim>   origin    = grid->origin();
-    const bool         gimp      = shape_functions == ShapeFunctions::gimp;
+    const double         inverse_h = grid->inverse_cell_size();
+    const Point<dim>     origin    = grid->origin();
+    const bool           gimp      = shape_functions == ShapeFunctions::gimp;
     std::array<int, dim> last_base; // a stencil must end on the grid
     for (unsigned int d = 0; d < dim; ++d)
       last_base[d] = static_cast<int>(grid->n_nodes_per_direction()[d]) - 3;
@@ -36,8 +36,8 @@ namespace Waker
           {
             const double x = points.position[p][d] - origin[d];
             Weights1D    w1 =
-              gimp ? gimp_weights(x, points.half_size[p][d], inverse_h) :
-                     linear_weights(x, inverse_h);
+              gimp ? gimp_weights(x, points.half_size[p][d], inverse_h)
+                      : linear_weights(x, inverse_h);
             // In the last cell the third node would be off the grid: move the
             // stencil one node down, its unused entry to the front.
             if (w1.base == last_base[d] + 1 && w1.value[2] == 0.)
@@ -51,8 +51,8 @@ namespace Waker
                 w1.value[0] = w1.gradient[0] = 0.;
               }
             // The comparison is false for a position that is not a number.
-            inside = inside && x >= 0. && w1.base >= 0 &&
-                     w1.base <= last_base[d];
+            inside =
+              inside && x >= 0. && w1.base >= 0 && w1.base <= last_base[d];
             w.base += static_cast<unsigned int>(w1.base) * grid->stride(d);
             for (unsigned int i = 0; i < 3; ++i)
               {

@@ -8,8 +8,7 @@ namespace Waker
   std::unique_ptr<Material>
   make_material(const MaterialParameters &p, const double gravity)
   {
-    // Without gravity the unit weight still says how heavy the soil is.
-    const double density = p.unit_weight / (gravity > 0. ? gravity : 9.81);
+    const double density = p.unit_weight / gravity;
     if (p.model == "linear elastic")
       return std::make_unique<LinearElastic>(density,
                                              p.youngs_modulus,
@@ -22,9 +21,9 @@ namespace Waker
         p.initial_strength,
         p.residual_strength,
         p.softening_modulus,
-        p.plastic_strain_invariant == "half" ?
-          VonMisesSoftening::Invariant::half :
-          VonMisesSoftening::Invariant::equivalent);
+        p.plastic_strain_invariant == "half"
+          ? VonMisesSoftening::Invariant::half
+          : VonMisesSoftening::Invariant::equivalent);
     throw UserError("Materials/" + p.name + "/Model",
                     "is \"" + p.model + "\"",
                     "\"linear elastic\" or \"von Mises softening\"");

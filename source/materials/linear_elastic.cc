@@ -18,7 +18,7 @@ namespace Waker
   void
   LinearElastic::add_elastic_stress(
     const SymmetricTensor<2, 3> &strain_increment,
-    SymmetricTensor<2, 3> &      stress) const
+    SymmetricTensor<2, 3>       &stress) const
   {
     stress += (2. * G) * strain_increment;
     const double mean = (K - 2. / 3. * G) * trace(strain_increment);
@@ -36,7 +36,7 @@ namespace Waker
 
   double
   LinearElastic::update(const SymmetricTensor<2, 3> &strain_increment,
-                        SymmetricTensor<2, 3> &      stress,
+                        SymmetricTensor<2, 3>       &stress,
                         double *,
                         SymmetricTensor<4, 3> *tangent) const
   {

@@ -60,8 +60,8 @@ namespace Waker
   void
   MaterialParameters::check() const
   {
-    const std::string path = "Materials/" + name + "/";
-    const auto number      = [](const double value) {
+    const std::string path   = "Materials/" + name + "/";
+    const auto        number = [](const double value) {
       return Patterns::Tools::to_string(value);
     };
 

@@ -21,8 +21,8 @@ namespace Waker
     : LinearElastic(density, youngs_modulus, poissons_ratio)
     , initial_strength(initial_strength)
     , residual_strength(residual_strength)
-    , plastic_strain_factor(
-        invariant == Invariant::equivalent ? 1. : sqrt_3 / 2.)
+    , plastic_strain_factor(invariant == Invariant::equivalent ? 1.
+                                                               : sqrt_3 / 2.)
     , softening(softening_modulus * plastic_strain_factor)
   {
     Assert(3. * G + sqrt_3 * softening > 0.,
@@ -41,13 +41,13 @@ namespace Waker
 
   double
   VonMisesSoftening::update(const SymmetricTensor<2, 3> &strain_increment,
-                            SymmetricTensor<2, 3> &      stress,
-                            double *                     variables,
-                            SymmetricTensor<4, 3> *      tangent) const
+                            SymmetricTensor<2, 3>       &stress,
+                            double                      *variables,
+                            SymmetricTensor<4, 3>       *tangent) const
   {
-    double &     strength       = variables[0];
+    double      &strength       = variables[0];
     const double residual       = variables[1];
-    double &     plastic_strain = variables[2];
+    double      &plastic_strain = variables[2];
 
     add_elastic_stress(strain_increment, stress); // the trial stress
     const double                pressure = trace(stress) / 3.;
@@ -63,8 +63,8 @@ namespace Waker
 
     // Radial return, closed form: the strength after the step is linear in the
     // multiplier until it reaches its residual value.
-    double hardening  = strength > residual ? sqrt_3 * softening : 0.; // dq
-    double multiplier = (q - sqrt_3 * strength) / (3. * G + hardening);
+    double hardening    = strength > residual ? sqrt_3 * softening : 0.; // dq
+    double multiplier   = (q - sqrt_3 * strength) / (3. * G + hardening);
     double new_strength = strength + hardening / sqrt_3 * multiplier;
     if (new_strength < residual)
       {
@@ -74,7 +74,7 @@ namespace Waker
       }
     const double scale = sqrt_3 * new_strength / q;
 
-    stress = scale * s + pressure * unit_symmetric_tensor<3>();
+    stress   = scale * s + pressure * unit_symmetric_tensor<3>();
     strength = new_strength;
     plastic_strain += plastic_strain_factor * multiplier;
 
@@ -82,10 +82,10 @@ namespace Waker
       {
         // K 1x1 + 2G (b1 I_dev - b2 n x n): numerics of a radial return with
         // linear hardening (Simo & Hughes 1998, box 3.2).
-        const SymmetricTensor<2, 3> n     = s / s.norm();
-        const double                beta2 = scale - hardening / (3. * G + hardening);
-        *tangent = scale * elastic_tangent -
-                   (2. * G * beta2) * outer_product(n, n);
+        const SymmetricTensor<2, 3> n = s / s.norm();
+        const double beta2 = scale - hardening / (3. * G + hardening);
+        *tangent =
+          scale * elastic_tangent - (2. * G * beta2) * outer_product(n, n);
         const double extra_bulk = (1. - scale) * K;
         for (unsigned int i = 0; i < 3; ++i)
           for (unsigned int j = 0; j < 3; ++j)

@@ -12,8 +12,8 @@ namespace Waker
     {
       double s[3];
       for (unsigned int a = 0; a < 3; ++a)
-        s[a] = t.A[a][0] * H[0][0] + t.A[a][1] * H[0][1] +
-               t.A[a][2] * H[1][0] + t.A[a][3] * H[1][1];
+        s[a] = t.A[a][0] * H[0][0] + t.A[a][1] * H[0][1] + t.A[a][2] * H[1][0] +
+               t.A[a][3] * H[1][1];
       Tensor<2, 2> P;
       P[0][0] = s[0];
       P[1][1] = s[1];
@@ -62,9 +62,9 @@ namespace Waker
 
   template <int dim>
   void
-  ConsistentTangent<dim>::reinit(const StressUpdate<dim> &  stress_update,
+  ConsistentTangent<dim>::reinit(const StressUpdate<dim>   &stress_update,
                                  const MaterialPoints<dim> &points,
-                                 const NodalVector &        increment)
+                                 const NodalVector         &increment)
   {
     stress_update.tangents(points, *weights, increment, tangents);
   }
@@ -95,21 +95,21 @@ namespace Waker
     for (std::size_t p = 0; p < tangents.size(); ++p)
       {
         const auto &A = tangents[p].A;
-        stencil.for_each_node(
-          (*weights)[p],
-          [&](const unsigned int    node,
-              const double          ,
-              const Tensor<1, dim> &gradient) {
-            for (unsigned int c = 0; c < dim; ++c)
-              {
-                double sum = 0.;
-                for (unsigned int d = 0; d < dim; ++d)
-                  for (unsigned int e = 0; e < dim; ++e)
-                    sum += gradient[d] * A[row<dim>(c, d)][dim * c + e] *
-                           gradient[e];
-                f[dim * node + c] += sum;
-              }
-          });
+        stencil.for_each_node((*weights)[p],
+                              [&](const unsigned int node,
+                                  const double,
+                                  const Tensor<1, dim> &gradient) {
+                                for (unsigned int c = 0; c < dim; ++c)
+                                  {
+                                    double sum = 0.;
+                                    for (unsigned int d = 0; d < dim; ++d)
+                                      for (unsigned int e = 0; e < dim; ++e)
+                                        sum += gradient[d] *
+                                               A[row<dim>(c, d)][dim * c + e] *
+                                               gradient[e];
+                                    f[dim * node + c] += sum;
+                                  }
+                              });
       }
   }
 

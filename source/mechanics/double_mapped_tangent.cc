@@ -16,8 +16,7 @@ namespace Waker
       if constexpr (dim == 2)
         return {{{{0, 0}}, {{1, 1}}, {{0, 1}}}};
       else
-        return {
-          {{{0, 0}}, {{1, 1}}, {{2, 2}}, {{0, 1}}, {{0, 2}}, {{1, 2}}}};
+        return {{{{0, 0}}, {{1, 1}}, {{2, 2}}, {{0, 1}}, {{0, 2}}, {{1, 2}}}};
     }
 
 
@@ -42,7 +41,7 @@ namespace Waker
     : weights(&weights)
     , element_of_cell(weights.background_grid().n_nodes(), -1)
   {
-    const auto & grid = weights.background_grid();
+    const auto  &grid  = weights.background_grid();
     const double xi[2] = {0.5 - 0.5 / std::sqrt(3.), 0.5 + 0.5 / std::sqrt(3.)};
     for (unsigned int v = 0; v < n_vertices; ++v)
       {
@@ -72,11 +71,11 @@ namespace Waker
 
   template <int dim>
   void
-  DoubleMappedTangent<dim>::reinit(const StressUpdate<dim> &  stress_update,
+  DoubleMappedTangent<dim>::reinit(const StressUpdate<dim>   &stress_update,
                                    const MaterialPoints<dim> &points,
-                                   const NodalVector &        increment)
+                                   const NodalVector         &increment)
   {
-    const auto & grid = weights->background_grid();
+    const auto  &grid = weights->background_grid();
     const double h    = grid.cell_size();
     stress_update.material_tangents(points,
                                     *weights,
@@ -115,8 +114,8 @@ namespace Waker
               touched = touched && w.gradient[d][2 * (cell >> d & 1)] != 0.;
             if (!touched)
               continue;
-            const unsigned int node = w.base + vertex_offsets[cell];
-            int &              number = element_of_cell[node];
+            const unsigned int node   = w.base + vertex_offsets[cell];
+            int               &number = element_of_cell[node];
             if (number < 0)
               {
                 number = elements.size();
@@ -160,7 +159,7 @@ namespace Waker
 
   template <int dim>
   void
-  DoubleMappedTangent<dim>::vmult(NodalVector &      dst,
+  DoubleMappedTangent<dim>::vmult(NodalVector       &dst,
                                   const NodalVector &src) const
   {
     const auto          indices = stress_indices<dim>();

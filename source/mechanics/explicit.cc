@@ -34,18 +34,18 @@ namespace Waker
 
       StepReport<dim>
       solve(const MaterialPoints<dim> &points,
-            const Weights<dim> &       weights,
+            const Weights<dim>        &weights,
             const double               t,
             const double               dt,
-            NodalState &               nodes) override;
+            NodalState                &nodes) override;
 
       void
-      update_points(const Weights<dim> & weights,
+      update_points(const Weights<dim>  &weights,
                     const double         t,
                     const double         dt,
-                    NodalState &         nodes,
+                    NodalState          &nodes,
                     MaterialPoints<dim> &points,
-                    StepReport<dim> &    report) override;
+                    StepReport<dim>     &report) override;
 
     private:
       const SchemeInput<dim> in;
@@ -60,13 +60,13 @@ namespace Waker
     template <int dim>
     StepReport<dim>
     Explicit<dim>::solve(const MaterialPoints<dim> &points,
-                         const Weights<dim> &       weights,
+                         const Weights<dim>        &weights,
                          const double               t,
                          const double               dt,
-                         NodalState &               nodes)
+                         NodalState                &nodes)
     {
       const Stencil<dim> stencil(in.grid);
-      nodes.internal_force = 0.;
+      nodes.internal_force   = 0.;
       double *const internal = nodes.internal_force.begin();
       for (std::size_t p = 0; p < points.n_points(); ++p)
         {
@@ -77,7 +77,7 @@ namespace Waker
           stencil.scatter_gradient(weights[p], P, internal);
         }
 
-      const double ramp = residual_ramp(t + dt, in.time.ramp_duration);
+      const double        ramp = residual_ramp(t + dt, in.time.ramp_duration);
       const double *const external = nodes.external_force.begin();
       double *const       v        = nodes.velocity.begin();
       double *const       new_v    = nodes.new_velocity.begin();
@@ -95,9 +95,9 @@ namespace Waker
           {
             const std::size_t dof = dim * i + c;
             new_a[dof] =
-              nodes.mass[i] > 0. ?
-                ramp * (external[dof] - internal[dof]) / nodes.mass[i] :
-                0.;
+              nodes.mass[i] > 0.
+                ? ramp * (external[dof] - internal[dof]) / nodes.mass[i]
+                : 0.;
           }
       // A spring as stiff as a penalty would need far smaller steps: taken
       // implicitly it needs none.
@@ -109,7 +109,7 @@ namespace Waker
           if (mass > 0.)
             {
               const double stiffness = springs[k].factor * spring_stiffness;
-              new_a[dof] = (mass * new_a[dof] +
+              new_a[dof]             = (mass * new_a[dof] +
                             stiffness * (spring_targets[k] - dt * v[dof])) /
                            (mass + stiffness * dt * dt);
             }
@@ -130,12 +130,12 @@ namespace Waker
 
     template <int dim>
     void
-    Explicit<dim>::update_points(const Weights<dim> & weights,
+    Explicit<dim>::update_points(const Weights<dim> &weights,
                                  const double,
                                  const double         dt,
-                                 NodalState &         nodes,
+                                 NodalState          &nodes,
                                  MaterialPoints<dim> &points,
-                                 StepReport<dim> &    report)
+                                 StepReport<dim>     &report)
     {
       const Stencil<dim>  stencil(in.grid);
       const double *const new_a  = nodes.new_acceleration.begin();

@@ -4,15 +4,14 @@
 #include <deal.II/lac/solver_control.h>
 
 #include <waker/base/errors.h>
-#include <waker/materials/linear_elastic.h>
 #include <waker/mapping/stencil.h>
+#include <waker/materials/linear_elastic.h>
 #include <waker/mechanics/consistent_tangent.h>
 #include <waker/mechanics/gravity_step.h>
 #include <waker/mechanics/system_operator.h>
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
-
 #include <algorithm>
 #include <cmath>
 
@@ -31,10 +30,11 @@ namespace Waker
       for (const auto &m : materials)
         {
           const double K = m->bulk_modulus(), G = m->shear_modulus();
-          elastic.push_back(std::make_unique<LinearElastic>(
-            m->density(),
-            9. * K * G / (3. * K + G),
-            (3. * K - 2. * G) / (2. * (3. * K + G))));
+          elastic.push_back(
+            std::make_unique<LinearElastic>(m->density(),
+                                            9. * K * G / (3. * K + G),
+                                            (3. * K - 2. * G) /
+                                              (2. * (3. * K + G))));
         }
       return elastic;
     }
@@ -48,9 +48,9 @@ namespace Waker
     class Factorisation
     {
     public:
-      Factorisation(const ConsistentTangent<2> &      tangent,
+      Factorisation(const ConsistentTangent<2>       &tangent,
                     const std::vector<unsigned char> &removed,
-                    const std::vector<double> &       mass);
+                    const std::vector<double>        &mass);
 
       void
       solve(NodalVector &x, const NodalVector &b) const;
@@ -62,9 +62,9 @@ namespace Waker
     };
 
 
-    Factorisation::Factorisation(const ConsistentTangent<2> &      tangent,
+    Factorisation::Factorisation(const ConsistentTangent<2>       &tangent,
                                  const std::vector<unsigned char> &removed,
-                                 const std::vector<double> &       mass)
+                                 const std::vector<double>        &mass)
       : equation(removed.size(), -1)
     {
       for (unsigned int dof = 0; dof < removed.size(); ++dof)
@@ -74,7 +74,7 @@ namespace Waker
             dofs.push_back(dof);
           }
 
-      const Weights<2> & weights = tangent.point_weights();
+      const Weights<2>  &weights = tangent.point_weights();
       const unsigned int row     = weights.background_grid().stride(1);
       // blocks[node][dy + 2][dx + 2] couples node with node + (dx, dy).
       using Block = std::array<double, 4>;
@@ -84,7 +84,7 @@ namespace Waker
       for (std::size_t p = 0; p < weights.size(); ++p)
         {
           const PointWeights<2> &w = weights[p];
-          const auto &           A = tangent.point_tangents()[p].A;
+          const auto            &A = tangent.point_tangents()[p].A;
           double                 g[9][2];
           for (unsigned int j = 0; j < 3; ++j)
             for (unsigned int i = 0; i < 3; ++i)
@@ -107,8 +107,8 @@ namespace Waker
                     node[(m / 3 + 2 - n / 3) * 5 + (m % 3 + 2 - n % 3)];
                   for (unsigned int c = 0; c < 2; ++c)
                     for (unsigned int d = 0; d < 2; ++d)
-                      block[2 * c + d] += rows[c][2 * d] * g[m][0] +
-                                          rows[c][2 * d + 1] * g[m][1];
+                      block[2 * c + d] +=
+                        rows[c][2 * d] * g[m][0] + rows[c][2 * d + 1] * g[m][1];
                 }
             }
         }
@@ -179,22 +179,22 @@ namespace Waker
 
     private:
       const SystemOperator &system;
-      const NodalVector &   diagonal;
+      const NodalVector    &diagonal;
     };
 
 
     /// In 3D: conjugate gradients with Jacobi's preconditioner.
     template <int dim>
     void
-    solve_iteratively(const ConsistentTangent<dim> &   tangent,
+    solve_iteratively(const ConsistentTangent<dim>    &tangent,
                       const std::vector<unsigned int> &removed,
-                      const std::vector<double> &      mass,
-                      NodalVector &                    x,
-                      const NodalVector &              b)
+                      const std::vector<double>       &mass,
+                      NodalVector                     &x,
+                      const NodalVector               &b)
     {
       const std::vector<unsigned int> no_dofs;
       const std::vector<double>       no_springs;
-      const SystemOperator system(
+      const SystemOperator            system(
         tangent, 1., 0., mass, removed, no_dofs, no_springs);
       NodalVector diagonal;
       diagonal.reinit(b);
@@ -204,7 +204,7 @@ namespace Waker
       for (double &entry : jacobi.get_vector())
         entry = entry > 0. ? 1. / entry : 0.;
 
-      ReductionControl control(5000, 1e-300, 1e-6, false, false);
+      ReductionControl      control(5000, 1e-300, 1e-6, false, false);
       SolverCG<NodalVector> cg(control);
       x = 0.;
       try
@@ -221,7 +221,7 @@ namespace Waker
     /// Norm of the vector as in NewtonSolver.
     template <int dim>
     double
-    weighted_norm(const NodalVector &        vector,
+    weighted_norm(const NodalVector         &vector,
                   const std::vector<double> &mass,
                   const double               full_node_mass)
     {
@@ -237,16 +237,16 @@ namespace Waker
 
   template <int dim>
   GravityReport
-  gravity_step(const Materials &    materials,
-               const Weights<dim> & weights,
+  gravity_step(const Materials     &materials,
+               const Weights<dim>  &weights,
                const Fixities<dim> &fixities,
                const double         full_node_mass,
                const double         tolerance,
-               NodalState &         nodes,
+               NodalState          &nodes,
                MaterialPoints<dim> &points)
   {
-    const Materials   elastic = elastic_materials(materials);
-    StressUpdate<dim> stress_update(elastic, /*objective_rate=*/false);
+    const Materials        elastic = elastic_materials(materials);
+    StressUpdate<dim>      stress_update(elastic, /*objective_rate=*/false);
     ConsistentTangent<dim> tangent(weights);
     NodalVector            R, correction;
     R.reinit(nodes.external_force);
@@ -288,11 +288,8 @@ namespace Waker
         if constexpr (dim == 2)
           factorisation->solve(correction, R);
         else
-          solve_iteratively(tangent,
-                            fixities.removed_list(),
-                            nodes.mass,
-                            correction,
-                            R);
+          solve_iteratively(
+            tangent, fixities.removed_list(), nodes.mass, correction, R);
         nodes.increment += correction;
         stress_update.evaluate(points,
                                weights,

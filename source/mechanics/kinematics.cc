@@ -80,9 +80,9 @@ namespace Waker
     const double xx = stress[0][0], yy = stress[1][1], xy = stress[0][1];
 
     SymmetricTensor<2, 3> turned = stress;
-    turned[0][0] = c * c * xx + 2. * c * s * xy + s * s * yy;
-    turned[1][1] = s * s * xx - 2. * c * s * xy + c * c * yy;
-    turned[0][1] = c * s * (yy - xx) + (c * c - s * s) * xy;
+    turned[0][0]                 = c * c * xx + 2. * c * s * xy + s * s * yy;
+    turned[1][1]                 = s * s * xx - 2. * c * s * xy + c * c * yy;
+    turned[0][1]                 = c * s * (yy - xx) + (c * c - s * s) * xy;
     return turned;
   }
 
@@ -180,7 +180,8 @@ namespace Waker
             }
           else
             dG[k][l] = 1.;
-          const SymmetricTensor<2, 3> stress = scale * (tangent * symmetrize(dG));
+          const SymmetricTensor<2, 3> stress =
+            scale * (tangent * symmetrize(dG));
           for (unsigned int a = 0; a < 6; ++a)
             A[a][3 * k + l] = stress[Indices::i[a]][Indices::j[a]];
         }

@@ -33,18 +33,18 @@ namespace Waker
 
       StepReport<dim>
       solve(const MaterialPoints<dim> &points,
-            const Weights<dim> &       weights,
+            const Weights<dim>        &weights,
             const double               t,
             const double               dt,
-            NodalState &               nodes) override;
+            NodalState                &nodes) override;
 
       void
-      update_points(const Weights<dim> & weights,
+      update_points(const Weights<dim>  &weights,
                     const double         t,
                     const double         dt,
-                    NodalState &         nodes,
+                    NodalState          &nodes,
                     MaterialPoints<dim> &points,
-                    StepReport<dim> &    report) override;
+                    StepReport<dim>     &report) override;
 
     private:
       const SchemeInput<dim> in;
@@ -62,7 +62,7 @@ namespace Waker
                         const Weights<dim> &,
                         const double t,
                         const double dt,
-                        NodalState & nodes)
+                        NodalState  &nodes)
     {
       in.fixities.removed_increments(t, dt, removed_increments);
       in.fixities.penalty_increments(t, dt, spring_targets);
@@ -70,7 +70,7 @@ namespace Waker
       // A support moves at constant velocity through the step.
       double *const v       = nodes.velocity.begin();
       double *const a       = nodes.acceleration.begin();
-      const auto &  removed = in.fixities.removed_list();
+      const auto   &removed = in.fixities.removed_list();
       for (std::size_t k = 0; k < removed.size(); ++k)
         {
           v[removed[k]] = removed_increments[k] / dt;
@@ -105,8 +105,8 @@ namespace Waker
       double *const new_a = nodes.new_acceleration.begin();
       for (std::size_t i = 0; i < n; ++i)
         {
-          new_v[i] = 2. / dt * u[i] - v[i];                // eq. 2.21
-          new_a[i] = 4. / (dt * dt) * u[i] - q[i];         // eq. 2.20
+          new_v[i] = 2. / dt * u[i] - v[i];        // eq. 2.21
+          new_a[i] = 4. / (dt * dt) * u[i] - q[i]; // eq. 2.20
         }
       return report;
     }
@@ -114,12 +114,12 @@ namespace Waker
 
     template <int dim>
     void
-    Newmark<dim>::update_points(const Weights<dim> & weights,
+    Newmark<dim>::update_points(const Weights<dim>  &weights,
                                 const double         t,
                                 const double         dt,
-                                NodalState &         nodes,
+                                NodalState          &nodes,
                                 MaterialPoints<dim> &points,
-                                StepReport<dim> &    report)
+                                StepReport<dim>     &report)
     {
       const double kinetic_before = kinetic_energy(points);
       const double kinetic_nodes_before =
@@ -139,15 +139,14 @@ namespace Waker
       report.kinetic_energy = kinetic_energy(points);
 
       // Work of the external and inertial forces over the step.
-      const double *const u        = nodes.increment.begin();
-      const double *const external = nodes.external_force.begin();
-      const double *const internal = nodes.internal_force.begin();
-      const double *const a        = nodes.acceleration.begin();
+      const double *const u             = nodes.increment.begin();
+      const double *const external      = nodes.external_force.begin();
+      const double *const internal      = nodes.internal_force.begin();
+      const double *const a             = nodes.acceleration.begin();
       double              external_work = 0., inertia_work = 0.;
       for (std::size_t i = 0; i < nodes.mass.size(); ++i)
         {
-          report.gravity_work -=
-            nodes.mass[i] * in.gravity * u[dim * i + 1];
+          report.gravity_work -= nodes.mass[i] * in.gravity * u[dim * i + 1];
           for (unsigned int c = 0; c < dim; ++c)
             {
               external_work += external[dim * i + c] * u[dim * i + c];

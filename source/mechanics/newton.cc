@@ -7,8 +7,8 @@
 namespace Waker
 {
   template <int dim>
-  NewtonSolver<dim>::NewtonSolver(const Weights<dim> &    weights,
-                                  const Fixities<dim> &   fixities,
+  NewtonSolver<dim>::NewtonSolver(const Weights<dim>     &weights,
+                                  const Fixities<dim>    &fixities,
                                   const NewtonParameters &parameters,
                                   const double            full_node_mass,
                                   const double            spring_stiffness)
@@ -31,9 +31,9 @@ namespace Waker
 
   template <int dim>
   double
-  NewtonSolver<dim>::residual(const Inertia &            inertia,
+  NewtonSolver<dim>::residual(const Inertia             &inertia,
                               const std::vector<double> &spring_targets,
-                              const NodalState &         nodes)
+                              const NodalState          &nodes)
   {
     const double *const external = nodes.external_force.begin();
     const double *const internal = nodes.internal_force.begin();
@@ -47,7 +47,7 @@ namespace Waker
       for (unsigned int c = 0; c < dim; ++c)
         {
           const std::size_t dof = dim * i + c;
-          r[dof]                = inertia.ramp * (external[dof] - internal[dof]);
+          r[dof] = inertia.ramp * (external[dof] - internal[dof]);
           if (q != nullptr)
             r[dof] -= nodes.mass[i] * (inertia.factor * u[dof] - q[dof]);
         }
@@ -63,16 +63,16 @@ namespace Waker
     for (std::size_t i = 0; i < n; ++i)
       if (nodes.mass[i] > 0.)
         {
-          const double share = std::min(1., nodes.mass[i] / full_node_mass);
+          const double share    = std::min(1., nodes.mass[i] / full_node_mass);
           double       node_sum = 0., node_reference = 0.;
           for (unsigned int c = 0; c < dim; ++c)
             if (!removed[dim * i + c])
               {
                 const std::size_t dof = dim * i + c;
                 const double      inertial =
-                  q != nullptr ?
-                    nodes.mass[i] * (inertia.factor * u[dof] - q[dof]) :
-                    0.;
+                  q != nullptr
+                         ? nodes.mass[i] * (inertia.factor * u[dof] - q[dof])
+                         : 0.;
                 node_sum += r[dof] * r[dof];
                 node_reference += external[dof] * external[dof] +
                                   internal[dof] * internal[dof] +
@@ -88,16 +88,16 @@ namespace Waker
   template <int dim>
   NewtonReport
   NewtonSolver<dim>::solve(const MaterialPoints<dim> &points,
-                           const Inertia &            inertia,
+                           const Inertia             &inertia,
                            const std::vector<double> &spring_targets,
-                           StressUpdate<dim> &        stress_update,
-                           NodalState &               nodes)
+                           StressUpdate<dim>         &stress_update,
+                           NodalState                &nodes)
   {
     const bool      use_consistent = parameters.tangent == "consistent";
     const Operator &stiffness =
-      use_consistent ? static_cast<const Operator &>(consistent) :
-                       static_cast<const Operator &>(double_mapped);
-    const Weights<dim> &weights = consistent.point_weights();
+      use_consistent ? static_cast<const Operator &>(consistent)
+                     : static_cast<const Operator &>(double_mapped);
+    const Weights<dim>  &weights = consistent.point_weights();
     const SystemOperator system(stiffness,
                                 inertia.ramp,
                                 inertia.factor,
@@ -120,8 +120,7 @@ namespace Waker
             return report;
           }
         // Not a number, hopeless, or out of patience: the step is too long.
-        if (!(norm < 1e6) ||
-            report.iterations == parameters.maximum_iterations)
+        if (!(norm < 1e6) || report.iterations == parameters.maximum_iterations)
           return report;
 
         if (use_consistent)

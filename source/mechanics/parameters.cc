@@ -113,7 +113,7 @@ namespace Waker
   NewtonParameters::check() const
   {
     const auto check_tolerance = [](const std::string &path,
-                                    const double value) {
+                                    const double       value) {
       if (!(value > 0. && value < 1.))
         throw UserError(path,
                         "is " + Patterns::Tools::to_string(value),

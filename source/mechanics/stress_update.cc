@@ -28,7 +28,7 @@ namespace Waker
     /// Elastic energy per volume of a stress (kPa).
     double
     elastic_energy(const SymmetricTensor<2, 3> &stress,
-                   const Material &             material)
+                   const Material              &material)
     {
       const double p = trace(stress) / 3.;
       return p * p / (2. * material.bulk_modulus()) +
@@ -39,7 +39,7 @@ namespace Waker
 
   template <int dim>
   void
-  declare_material_variables(const Materials &    materials,
+  declare_material_variables(const Materials     &materials,
                              MaterialPoints<dim> &points)
   {
     for (unsigned int m = 0; m < materials.size(); ++m)
@@ -59,8 +59,8 @@ namespace Waker
   {
     double sum = 0.;
     for (std::size_t p = 0; p < points.n_points(); ++p)
-      sum += points.volume[p] * elastic_energy(points.stress[p],
-                                               *materials[points.material[p]]);
+      sum += points.volume[p] *
+             elastic_energy(points.stress[p], *materials[points.material[p]]);
     return sum;
   }
 
@@ -73,8 +73,8 @@ namespace Waker
     , n_variables(0)
   {
     for (const auto &material : materials)
-      n_variables = std::max<unsigned int>(n_variables,
-                                           material->variables().size());
+      n_variables =
+        std::max<unsigned int>(n_variables, material->variables().size());
     AssertThrow(n_variables <= max_variables,
                 ExcMessage("a material declares too many variables"));
   }
@@ -103,9 +103,9 @@ namespace Waker
   template <int dim>
   void
   StressUpdate<dim>::evaluate(const MaterialPoints<dim> &points,
-                              const Weights<dim> &       weights,
-                              const NodalVector &        increment,
-                              NodalVector &              internal_force)
+                              const Weights<dim>        &weights,
+                              const NodalVector         &increment,
+                              NodalVector               &internal_force)
   {
     if (variable_arrays.size() != materials->size() ||
         new_stress.size() != points.n_points())
@@ -120,9 +120,8 @@ namespace Waker
       {
         const PointWeights<dim> &w        = weights[p];
         const unsigned int       m        = points.material[p];
-        const Material &         material = *(*materials)[m];
-        const Kinematics<dim>    motion(stencil.gradient(w, du),
-                                     objective_rate);
+        const Material          &material = *(*materials)[m];
+        const Kinematics<dim> motion(stencil.gradient(w, du), objective_rate);
 
         double *const variables = new_variables.data() + n_variables * p;
         for (unsigned int v = 0; v < variable_arrays[m].size(); ++v)
@@ -142,8 +141,8 @@ namespace Waker
   template <int dim>
   void
   StressUpdate<dim>::tangents(const MaterialPoints<dim> &points,
-                              const Weights<dim> &       weights,
-                              const NodalVector &        increment,
+                              const Weights<dim>        &weights,
+                              const NodalVector         &increment,
                               std::vector<PointTangent> &tangents) const
   {
     const Stencil<dim>    stencil(weights.background_grid());
@@ -154,7 +153,7 @@ namespace Waker
     for (std::size_t p = 0; p < points.n_points(); ++p)
       {
         const unsigned int    m        = points.material[p];
-        const Material &      material = *(*materials)[m];
+        const Material       &material = *(*materials)[m];
         const Kinematics<dim> motion(stencil.gradient(weights[p], du),
                                      objective_rate);
         for (unsigned int v = 0; v < variable_arrays[m].size(); ++v)
@@ -174,9 +173,9 @@ namespace Waker
   template <int dim>
   void
   StressUpdate<dim>::material_tangents(
-    const MaterialPoints<dim> &         points,
-    const Weights<dim> &                weights,
-    const NodalVector &                 increment,
+    const MaterialPoints<dim>          &points,
+    const Weights<dim>                 &weights,
+    const NodalVector                  &increment,
     std::vector<SymmetricTensor<4, 3>> &tangents) const
   {
     const Stencil<dim>  stencil(weights.background_grid());
@@ -191,15 +190,18 @@ namespace Waker
         for (unsigned int v = 0; v < variable_arrays[m].size(); ++v)
           variables[v] = points.scalars[variable_arrays[m][v]].values[p];
         SymmetricTensor<2, 3> stress = motion.turn(points.stress[p]);
-        (*materials)[m]->update(motion.strain(), stress, variables, &tangents[p]);
+        (*materials)[m]->update(motion.strain(),
+                                stress,
+                                variables,
+                                &tangents[p]);
       }
   }
 
 
   template <int dim>
   StressReport
-  StressUpdate<dim>::accept(const Weights<dim> & weights,
-                            const NodalVector &  increment,
+  StressUpdate<dim>::accept(const Weights<dim>  &weights,
+                            const NodalVector   &increment,
                             MaterialPoints<dim> &points) const
   {
     const Stencil<dim>  stencil(weights.background_grid());
@@ -222,8 +224,8 @@ namespace Waker
         const double *variables = new_variables.data() + n_variables * p;
         for (unsigned int v = 0; v < variable_arrays[m].size(); ++v)
           {
-            const int array  = variable_arrays[m][v];
-            double &  value  = points.scalars[array].values[p];
+            const int array = variable_arrays[m][v];
+            double   &value = points.scalars[array].values[p];
             if (array == plastic)
               report.plastic_strain += variables[v] - value;
             value = variables[v];

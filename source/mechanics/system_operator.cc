@@ -9,13 +9,13 @@
 
 namespace Waker
 {
-  SystemOperator::SystemOperator(const Operator &                 stiffness,
+  SystemOperator::SystemOperator(const Operator                  &stiffness,
                                  const double                     ramp,
                                  const double                     inertia,
-                                 const std::vector<double> &      mass,
+                                 const std::vector<double>       &mass,
                                  const std::vector<unsigned int> &removed,
                                  const std::vector<unsigned int> &spring_dofs,
-                                 const std::vector<double> &      springs)
+                                 const std::vector<double>       &springs)
     : stiffness(&stiffness)
     , ramp(ramp)
     , inertia(inertia)
@@ -60,8 +60,7 @@ namespace Waker
     const unsigned int dim = diagonal.locally_owned_size() / mass->size();
     for (std::size_t i = 0; i < mass->size(); ++i)
       for (unsigned int c = 0; c < dim; ++c)
-        y[dim * i + c] +=
-          ramp * K.begin()[dim * i + c] + inertia * (*mass)[i];
+        y[dim * i + c] += ramp * K.begin()[dim * i + c] + inertia * (*mass)[i];
     for (std::size_t k = 0; k < spring_dofs->size(); ++k)
       y[(*spring_dofs)[k]] += (*springs)[k];
     for (const unsigned int dof : *removed)
@@ -76,8 +75,8 @@ namespace Waker
 
 
   LinearReport
-  LinearSolver::solve(const Operator &   A,
-                      NodalVector &      x,
+  LinearSolver::solve(const Operator    &A,
+                      NodalVector       &x,
                       const NodalVector &b,
                       const double       tolerance,
                       const unsigned int max_iterations)
@@ -96,7 +95,8 @@ namespace Waker
     // a sliver node's force is small, its displacement is not.
     if (A.is_symmetric())
       {
-        ReductionControl control(max_iterations, 1e-300, tolerance, false, false);
+        ReductionControl control(
+          max_iterations, 1e-300, tolerance, false, false);
         SolverCG<NodalVector> cg(control);
         try
           {

@@ -45,8 +45,8 @@ namespace Waker
   {
     double stiffest = 0.;
     for (const auto &m : materials)
-      stiffest = std::max(stiffest,
-                          m->bulk_modulus() + 4. / 3. * m->shear_modulus());
+      stiffest =
+        std::max(stiffest, m->bulk_modulus() + 4. / 3. * m->shear_modulus());
     return stiffest;
   }
 

@@ -22,14 +22,14 @@ namespace Waker
       };
       std::size_t begin = 0;
       while (begin < expression.size())
-      {
-        std::size_t end = begin;
-        while (end < expression.size() && in_name(expression[end]))
-          ++end;
-        if (expression.compare(begin, end - begin, variable) == 0)
-          return true;
-        begin = end + (end == begin);
-      }
+        {
+          std::size_t end = begin;
+          while (end < expression.size() && in_name(expression[end]))
+            ++end;
+          if (expression.compare(begin, end - begin, variable) == 0)
+            return true;
+          begin = end + (end == begin);
+        }
       return false;
     }
   } // namespace
@@ -47,28 +47,28 @@ namespace Waker
     parser->initialize(variables, text, {{"pi", numbers::PI}}, true);
     // The parser reads its text when it is first asked for a value. deal.II
     // then also prints what is wrong: the error must say it, and only once.
-    std::ostringstream printed;
+    std::ostringstream    printed;
     std::streambuf *const screen = std::cerr.rdbuf(printed.rdbuf());
-    std::string reason;
+    std::string           reason;
     try
-    {
-      value(Point<dim>(), 0.);
-    }
+      {
+        value(Point<dim>(), 0.);
+      }
     catch (const ExceptionBase &e)
-    {
-      std::ostringstream message;
-      e.print_info(message);
-      // Its column is really the number of the error.
-      const std::string intro = "The parser said: ";
-      reason                  = message.str();
-      if (reason.find(intro) != std::string::npos)
-        reason.erase(0, reason.find(intro) + intro.size());
-      reason.erase(reason.find_last_not_of(" \n") + 1);
-    }
+      {
+        std::ostringstream message;
+        e.print_info(message);
+        // Its column is really the number of the error.
+        const std::string intro = "The parser said: ";
+        reason                  = message.str();
+        if (reason.find(intro) != std::string::npos)
+          reason.erase(0, reason.find(intro) + intro.size());
+        reason.erase(reason.find_last_not_of(" \n") + 1);
+      }
     catch (const std::exception &e)
-    {
-      reason = e.what();
-    }
+      {
+        reason = e.what();
+      }
     std::cerr.rdbuf(screen);
     if (!reason.empty())
       throw UserError(path,

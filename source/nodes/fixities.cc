@@ -21,7 +21,7 @@ namespace Waker
     struct Hold
     {
       std::array<bool, dim> component;
-      std::array<int, dim> expression; // number, or at_rest
+      std::array<int, dim>  expression; // number, or at_rest
     };
 
 
@@ -29,7 +29,7 @@ namespace Waker
     struct Face
     {
       unsigned int direction;
-      bool upper;
+      bool         upper;
     };
 
     Face
@@ -48,30 +48,31 @@ namespace Waker
     std::vector<unsigned int>
     nodes_of(const BackgroundGrid<dim> &grid, const FixityParameters &fixity)
     {
-      const bool is_box = fixity.region == "box";
-      const Face face   = is_box ? Face{dim, false} : face_of(fixity.region);
+      const bool   is_box = fixity.region == "box";
+      const Face   face   = is_box ? Face{dim, false} : face_of(fixity.region);
       const double tolerance = 1e-6 * grid.cell_size();
 
       std::vector<unsigned int> nodes;
       for (unsigned int n = 0; n < grid.n_nodes(); ++n)
-      {
-        const auto index   = grid.node_index(n);
-        const Point<dim> x = grid.node_position(n);
-        bool held          = true;
-        for (unsigned int d = 0; d < dim && held; ++d)
-          if (d == face.direction)
-          {
-            const int margin = grid.margin;
-            const int last   = grid.n_nodes_per_direction()[d] - 1;
-            held = face.upper ? index[d] >= last - margin : index[d] <= margin;
-          }
-          else
-            held =
-              (fixity.from.empty() || x[d] >= fixity.from[d] - tolerance) &&
-              (fixity.to.empty() || x[d] <= fixity.to[d] + tolerance);
-        if (held)
-          nodes.push_back(n);
-      }
+        {
+          const auto       index = grid.node_index(n);
+          const Point<dim> x     = grid.node_position(n);
+          bool             held  = true;
+          for (unsigned int d = 0; d < dim && held; ++d)
+            if (d == face.direction)
+              {
+                const int margin = grid.margin;
+                const int last   = grid.n_nodes_per_direction()[d] - 1;
+                held =
+                  face.upper ? index[d] >= last - margin : index[d] <= margin;
+              }
+            else
+              held =
+                (fixity.from.empty() || x[d] >= fixity.from[d] - tolerance) &&
+                (fixity.to.empty() || x[d] <= fixity.to[d] + tolerance);
+          if (held)
+            nodes.push_back(n);
+        }
       if (nodes.empty())
         throw UserError("Boundary conditions/" + fixity.name,
                         "there is no node of the grid in its region",
@@ -83,23 +84,25 @@ namespace Waker
     /// Only increments are prescribed: a displacement at t = 0 would be lost.
     template <int dim>
     void
-    check_start(const BackgroundGrid<dim> &grid,
+    check_start(const BackgroundGrid<dim>       &grid,
                 const std::vector<unsigned int> &nodes,
-                const Expression<dim> &expression,
-                const std::string &path)
+                const Expression<dim>           &expression,
+                const std::string               &path)
     {
       for (const unsigned int node : nodes)
-      {
-        const Point<dim> x = grid.node_position(node);
-        const double u     = expression.value(x, 0.);
-        if (!(std::abs(u) <= 1e-9 * grid.cell_size()))
         {
-          std::ostringstream what;
-          what << "\"" << expression.text() << "\" is " << u
-               << " m at t = 0 in the node (" << x << ")";
-          throw UserError(path, what.str(), "displacements that start at 0");
+          const Point<dim> x = grid.node_position(node);
+          const double     u = expression.value(x, 0.);
+          if (!(std::abs(u) <= 1e-9 * grid.cell_size()))
+            {
+              std::ostringstream what;
+              what << "\"" << expression.text() << "\" is " << u
+                   << " m at t = 0 in the node (" << x << ")";
+              throw UserError(path,
+                              what.str(),
+                              "displacements that start at 0");
+            }
         }
-      }
     }
   } // namespace
 
@@ -111,19 +114,19 @@ namespace Waker
     struct Moved
     {
       std::size_t place;
-      int expression;
-      Point<dim> x;
+      int         expression;
+      Point<dim>  x;
     };
 
     std::vector<Expression<dim>> expressions;
-    std::vector<Moved> removed;
-    std::vector<Moved> penalised;
+    std::vector<Moved>           removed;
+    std::vector<Moved>           penalised;
 
     void
     increments(const std::vector<Moved> &moved,
-               const double t,
-               const double dt,
-               std::vector<double> &result) const
+               const double              t,
+               const double              dt,
+               std::vector<double>      &result) const
     {
       // Where the displacement is the same everywhere, one value will do.
       std::vector<double> uniform(expressions.size());
@@ -140,8 +143,8 @@ namespace Waker
     double
     difference(const std::size_t e,
                const Point<dim> &x,
-               const double t,
-               const double dt) const
+               const double      t,
+               const double      dt) const
     {
       const double increment =
         expressions[e].value(x, t + dt) - expressions[e].value(x, t);
@@ -156,98 +159,98 @@ namespace Waker
 
 
   template <int dim>
-  Fixities<dim>::Fixities(const BackgroundGrid<dim> &grid,
+  Fixities<dim>::Fixities(const BackgroundGrid<dim>           &grid,
                           const std::vector<FixityParameters> &parameters)
     : removed_dofs(grid.n_dofs(), 0)
     , motion(std::make_unique<Motion>())
   {
     // Of each dof: the expression that moves it, and its spring (0: none).
-    std::vector<int> eliminated_by(grid.n_dofs(), at_rest);
-    std::vector<int> penalised_by(grid.n_dofs(), at_rest);
+    std::vector<int>    eliminated_by(grid.n_dofs(), at_rest);
+    std::vector<int>    penalised_by(grid.n_dofs(), at_rest);
     std::vector<double> penalty_factors(grid.n_dofs(), 0.);
 
     for (const FixityParameters &fixity : parameters)
-    {
-      fixity.check(dim);
-      const std::vector<unsigned int> nodes = nodes_of(grid, fixity);
-      Hold<dim> hold;
-      hold.component.fill(fixity.type == "fixed");
-      hold.expression.fill(at_rest);
-      if (fixity.type == "roller")
-        hold.component[face_of(fixity.region).direction] = true;
-      if (fixity.type == "prescribed")
       {
-        const std::vector<std::string> texts =
-          Utilities::split_string_list(fixity.displacement, ';');
-        for (unsigned int c = 0; c < dim; ++c)
-          if (texts[c] != "free")
+        fixity.check(dim);
+        const std::vector<unsigned int> nodes = nodes_of(grid, fixity);
+        Hold<dim>                       hold;
+        hold.component.fill(fixity.type == "fixed");
+        hold.expression.fill(at_rest);
+        if (fixity.type == "roller")
+          hold.component[face_of(fixity.region).direction] = true;
+        if (fixity.type == "prescribed")
           {
-            const std::string path =
-              "Boundary conditions/" + fixity.name + "/Displacement";
-            Expression<dim> expression(texts[c], path);
-            check_start(grid, nodes, expression, path);
-            hold.component[c] = true;
-            if (!expression.moves())
-              continue;
-            hold.expression[c] = motion->expressions.size();
-            motion->expressions.push_back(std::move(expression));
+            const std::vector<std::string> texts =
+              Utilities::split_string_list(fixity.displacement, ';');
+            for (unsigned int c = 0; c < dim; ++c)
+              if (texts[c] != "free")
+                {
+                  const std::string path =
+                    "Boundary conditions/" + fixity.name + "/Displacement";
+                  Expression<dim> expression(texts[c], path);
+                  check_start(grid, nodes, expression, path);
+                  hold.component[c] = true;
+                  if (!expression.moves())
+                    continue;
+                  hold.expression[c] = motion->expressions.size();
+                  motion->expressions.push_back(std::move(expression));
+                }
           }
-      }
 
-      const bool eliminate = fixity.method == "elimination";
-      for (const unsigned int node : nodes)
-        for (unsigned int c = 0; c < dim; ++c)
-          if (hold.component[c])
-          {
-            const unsigned int dof = dim * node + c;
-            (eliminate ? eliminated_by : penalised_by)[dof] =
-              hold.expression[c];
-            if (eliminate)
-              removed_dofs[dof] = 1;
-            else
-              penalty_factors[dof] = fixity.penalty_factor;
-          }
-    }
+        const bool eliminate = fixity.method == "elimination";
+        for (const unsigned int node : nodes)
+          for (unsigned int c = 0; c < dim; ++c)
+            if (hold.component[c])
+              {
+                const unsigned int dof = dim * node + c;
+                (eliminate ? eliminated_by : penalised_by)[dof] =
+                  hold.expression[c];
+                if (eliminate)
+                  removed_dofs[dof] = 1;
+                else
+                  penalty_factors[dof] = fixity.penalty_factor;
+              }
+      }
 
     for (unsigned int dof = 0; dof < grid.n_dofs(); ++dof)
       if (removed_dofs[dof])
-      {
-        if (eliminated_by[dof] != at_rest)
-          motion->removed.push_back({removed_dof_list.size(),
-                                     eliminated_by[dof],
-                                     grid.node_position(dof / dim)});
-        removed_dof_list.push_back(dof);
-      }
-      else if (penalty_factors[dof] > 0.)
-      {
-        if (penalised_by[dof] != at_rest)
-          motion->penalised.push_back({penalty_dofs.size(),
-                                       penalised_by[dof],
+        {
+          if (eliminated_by[dof] != at_rest)
+            motion->removed.push_back({removed_dof_list.size(),
+                                       eliminated_by[dof],
                                        grid.node_position(dof / dim)});
-        penalty_dofs.push_back({dof, penalty_factors[dof]});
-      }
+          removed_dof_list.push_back(dof);
+        }
+      else if (penalty_factors[dof] > 0.)
+        {
+          if (penalised_by[dof] != at_rest)
+            motion->penalised.push_back({penalty_dofs.size(),
+                                         penalised_by[dof],
+                                         grid.node_position(dof / dim)});
+          penalty_dofs.push_back({dof, penalty_factors[dof]});
+        }
     moves = !motion->removed.empty() || !motion->penalised.empty();
 
     closed_face_bits = (1u << (2 * dim)) - 1;
     for (unsigned int node = 0; node < grid.n_nodes(); ++node)
-    {
-      const auto index   = grid.node_index(node);
-      const int margin   = grid.margin;
-      bool on_box        = true;
-      unsigned int faces = 0; // that the node keeps open
-      for (unsigned int d = 0; d < dim; ++d)
       {
-        const int upper = grid.n_nodes_per_direction()[d] - 1 - margin;
-        on_box          = on_box && index[d] >= margin && index[d] <= upper;
-        const unsigned int dof = dim * node + d;
-        if (removed_dofs[dof] && eliminated_by[dof] == at_rest)
-          continue;
-        faces |= (index[d] == margin) << (2 * d) | (index[d] == upper)
-                                                     << (2 * d + 1);
+        const auto   index  = grid.node_index(node);
+        const int    margin = grid.margin;
+        bool         on_box = true;
+        unsigned int faces  = 0; // that the node keeps open
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            const int upper = grid.n_nodes_per_direction()[d] - 1 - margin;
+            on_box          = on_box && index[d] >= margin && index[d] <= upper;
+            const unsigned int dof = dim * node + d;
+            if (removed_dofs[dof] && eliminated_by[dof] == at_rest)
+              continue;
+            faces |= (index[d] == margin) << (2 * d) | (index[d] == upper)
+                                                         << (2 * d + 1);
+          }
+        if (on_box)
+          closed_face_bits &= ~faces;
       }
-      if (on_box)
-        closed_face_bits &= ~faces;
-    }
   }
 
 
@@ -261,8 +264,8 @@ namespace Waker
 
   template <int dim>
   void
-  Fixities<dim>::removed_increments(const double t,
-                                    const double dt,
+  Fixities<dim>::removed_increments(const double         t,
+                                    const double         dt,
                                     std::vector<double> &increments) const
   {
     increments.assign(removed_dof_list.size(), 0.);
@@ -273,8 +276,8 @@ namespace Waker
 
   template <int dim>
   void
-  Fixities<dim>::penalty_increments(const double t,
-                                    const double dt,
+  Fixities<dim>::penalty_increments(const double         t,
+                                    const double         dt,
                                     std::vector<double> &increments) const
   {
     increments.assign(penalty_dofs.size(), 0.);

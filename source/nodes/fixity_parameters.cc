@@ -68,9 +68,9 @@ namespace Waker
   void
   FixityParameters::check(const unsigned int dim) const
   {
-    const std::string path = "Boundary conditions/" + name + "/";
-    const auto choose      = [&path](const std::string &entry,
-                                const std::string &value,
+    const std::string path   = "Boundary conditions/" + name + "/";
+    const auto        choose = [&path](const std::string              &entry,
+                                const std::string              &value,
                                 const std::vector<std::string> &allowed) {
       if (std::find(allowed.begin(), allowed.end(), value) != allowed.end())
         return;
@@ -118,13 +118,13 @@ namespace Waker
                                 (dim == 3 ? "z, " : "") +
                                 "t, or \"free\", with \";\" between them";
     if (type != "prescribed")
-    {
-      if (!displacement.empty())
-        throw UserError(path + "Displacement",
-                        "is \"" + displacement + "\", but Type is " + type,
-                        "nothing, or Type prescribed");
-      return;
-    }
+      {
+        if (!displacement.empty())
+          throw UserError(path + "Displacement",
+                          "is \"" + displacement + "\", but Type is " + type,
+                          "nothing, or Type prescribed");
+        return;
+      }
     if (expressions.size() != dim ||
         std::count(expressions.begin(), expressions.end(), "") != 0)
       throw UserError(path + "Displacement",

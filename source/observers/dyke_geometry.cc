@@ -14,24 +14,25 @@ namespace Waker
     // Crossings of the level: (x, winding). Half-open: a vertex on the level
     // counts as below it, so that a chain crosses as often up as down.
     std::vector<std::pair<double, int>> crossings;
-    bool first = true;
+    bool                                first = true;
     for (const SurfaceChain &chain : surface.chains)
-    {
-      const std::size_t n = chain.vertices.size();
-      for (std::size_t k = 0; k < n; ++k)
       {
-        const Point<2> &a = chain.vertices[k];
-        const Point<2> &b = chain.vertices[(k + 1) % n];
-        dyke.height       = first ? a[1] : std::max(dyke.height, a[1]);
-        first             = false;
-        if ((a[1] > level) == (b[1] > level))
-          continue;
+        const std::size_t n = chain.vertices.size();
+        for (std::size_t k = 0; k < n; ++k)
+          {
+            const Point<2> &a = chain.vertices[k];
+            const Point<2> &b = chain.vertices[(k + 1) % n];
+            dyke.height       = first ? a[1] : std::max(dyke.height, a[1]);
+            first             = false;
+            if ((a[1] > level) == (b[1] > level))
+              continue;
 
-        // The body is on the left: on its left side the chain runs down.
-        const double t = (level - a[1]) / (b[1] - a[1]);
-        crossings.emplace_back(a[0] + t * (b[0] - a[0]), a[1] > level ? 1 : -1);
+            // The body is on the left: on its left side the chain runs down.
+            const double t = (level - a[1]) / (b[1] - a[1]);
+            crossings.emplace_back(a[0] + t * (b[0] - a[0]),
+                                   a[1] > level ? 1 : -1);
+          }
       }
-    }
 
     // From left to right; where parts touch, the next is entered before the
     // last is left.
@@ -41,19 +42,19 @@ namespace Waker
                 return a.first < b.first ||
                        (a.first == b.first && a.second > b.second);
               });
-    int winding  = 0;
-    double start = 0.;
+    int    winding = 0;
+    double start   = 0.;
     for (const auto &[x, change] : crossings)
-    {
-      if (winding == 0 && change > 0)
-        start = x;
-      winding += change;
-      if (winding == 0 && change < 0 && x > start)
       {
-        dyke.parts.push_back({{start, x}});
-        dyke.width += x - start;
+        if (winding == 0 && change > 0)
+          start = x;
+        winding += change;
+        if (winding == 0 && change < 0 && x > start)
+          {
+            dyke.parts.push_back({{start, x}});
+            dyke.width += x - start;
+          }
       }
-    }
     return dyke;
   }
 } // namespace Waker

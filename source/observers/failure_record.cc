@@ -6,7 +6,7 @@
 namespace Waker
 {
   void
-  FailureRecord::update(const DykeGeometry &        measured,
+  FailureRecord::update(const DykeGeometry         &measured,
                         const double                time,
                         const double                level,
                         const bool                  has_water,

@@ -20,9 +20,9 @@ namespace Waker
         row.add("Time step (s)", view.dt);
         row.add("Newton iterations", view.report.newton_iterations);
         row.add("Linear iterations", view.report.linear_iterations);
-        row.add("Residual", view.report.residuals.empty() ?
-                              0. :
-                              view.report.residuals.back());
+        row.add("Residual",
+                view.report.residuals.empty() ? 0.
+                                              : view.report.residuals.back());
         row.add("Unconverged steps so far", view.unconverged_steps);
       }
     };
@@ -39,7 +39,8 @@ namespace Waker
         row.add("Dyke height H (m)", dyke.height);
         row.add("Dyke width W (m)", dyke.width);
         row.add("Parts at the water level", dyke.parts.size());
-        row.add("Mean plastic strain increment", view.report.mean_plastic_strain);
+        row.add("Mean plastic strain increment",
+                view.report.mean_plastic_strain);
         row.add("Displacement rate, rms (m/s)", view.report.displacement_rate);
       }
     };

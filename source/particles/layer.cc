@@ -69,11 +69,11 @@ namespace Waker
   template <int dim>
   Layer<dim>
   place_layer(const BackgroundGrid<dim> &grid,
-              const LayerParameters &parameters)
+              const LayerParameters     &parameters)
   {
-    const Point<dim> &lower = grid.lower_corner();
-    const Point<dim> &upper = grid.upper_corner();
-    const double tolerance  = 1e-10 * grid.cell_size();
+    const Point<dim> &lower     = grid.lower_corner();
+    const Point<dim> &upper     = grid.upper_corner();
+    const double      tolerance = 1e-10 * grid.cell_size();
 
     Layer<dim> layer;
     layer.path    = "Soil profile/" + parameters.name;
@@ -94,45 +94,46 @@ namespace Waker
                       "is given, but the case is 2D",
                       "no extent in 2D");
     if (dim == 3)
-    {
-      const std::string allowed = "two numbers \"z0, z1\", z0 below z1, from " +
-                                  interval(lower[dim - 1], upper[dim - 1]) +
-                                  ", or nothing";
-      if (!extent.empty() && extent.size() != 2)
-        throw UserError(layer.path + "/Extent",
-                        "has " + std::to_string(extent.size()) + " numbers",
-                        allowed);
-      layer.begin = extent.empty() ? lower[dim - 1] : extent[0];
-      layer.end   = extent.empty() ? upper[dim - 1] : extent[1];
-      if (!(layer.begin >= lower[dim - 1] - tolerance &&
-            layer.end <= upper[dim - 1] + tolerance &&
-            layer.end - layer.begin > tolerance))
-        throw UserError(layer.path + "/Extent",
-                        "reaches from " + interval(layer.begin, layer.end),
-                        allowed);
-    }
+      {
+        const std::string allowed =
+          "two numbers \"z0, z1\", z0 below z1, from " +
+          interval(lower[dim - 1], upper[dim - 1]) + ", or nothing";
+        if (!extent.empty() && extent.size() != 2)
+          throw UserError(layer.path + "/Extent",
+                          "has " + std::to_string(extent.size()) + " numbers",
+                          allowed);
+        layer.begin = extent.empty() ? lower[dim - 1] : extent[0];
+        layer.end   = extent.empty() ? upper[dim - 1] : extent[1];
+        if (!(layer.begin >= lower[dim - 1] - tolerance &&
+              layer.end <= upper[dim - 1] + tolerance &&
+              layer.end - layer.begin > tolerance))
+          throw UserError(layer.path + "/Extent",
+                          "reaches from " + interval(layer.begin, layer.end),
+                          allowed);
+      }
     return layer;
   }
 
 
   template <int dim>
   void
-  fill_layer(const LayerParameters &parameters,
+  fill_layer(const LayerParameters          &parameters,
              const std::vector<std::string> &material_names,
-             Layer<dim> &layer)
+             Layer<dim>                     &layer)
   {
     const auto material = std::find(material_names.begin(),
                                     material_names.end(),
                                     parameters.material);
     if (material == material_names.end())
-    {
-      std::string known;
-      for (const std::string &name : material_names)
-        known += (known.empty() ? "" : ", ") + name;
-      throw UserError(layer.path + "/Material",
-                      "the material \"" + parameters.material + "\" is unknown",
-                      known.empty() ? "(there are no materials)" : known);
-    }
+      {
+        std::string known;
+        for (const std::string &name : material_names)
+          known += (known.empty() ? "" : ", ") + name;
+        throw UserError(layer.path + "/Material",
+                        "the material \"" + parameters.material +
+                          "\" is unknown",
+                        known.empty() ? "(there are no materials)" : known);
+      }
     layer.material = material - material_names.begin();
 
     const std::vector<double> &velocity = parameters.velocity;
@@ -152,20 +153,20 @@ namespace Waker
   {
     for (unsigned int i = 0; i < layers.size(); ++i)
       for (unsigned int j = 0; j < i; ++j)
-      {
-        const Layer<dim> &a = layers[i], &b = layers[j];
-        const double depth =
-          std::min(a.end, b.end) - std::max(a.begin, b.begin);
-        if (depth <= 1e-9 * std::min(a.end - a.begin, b.end - b.begin))
-          continue;
-        const double area = common_area(a.corners, b.corners);
-        if (area >
-            1e-9 * std::min(signed_area(a.corners), signed_area(b.corners)))
-          throw UserError(a.path + "/Polygon",
-                          "overlaps \"" + b.path + "\" over " + to_text(area) +
-                            " m^2",
-                          "layers that touch at most");
-      }
+        {
+          const Layer<dim> &a = layers[i], &b = layers[j];
+          const double      depth =
+            std::min(a.end, b.end) - std::max(a.begin, b.begin);
+          if (depth <= 1e-9 * std::min(a.end - a.begin, b.end - b.begin))
+            continue;
+          const double area = common_area(a.corners, b.corners);
+          if (area >
+              1e-9 * std::min(signed_area(a.corners), signed_area(b.corners)))
+            throw UserError(a.path + "/Polygon",
+                            "overlaps \"" + b.path + "\" over " +
+                              to_text(area) + " m^2",
+                            "layers that touch at most");
+        }
   }
 
 

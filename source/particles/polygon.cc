@@ -24,8 +24,8 @@ namespace Waker
     {
       const char *const begin =
         text.data() + (text.size() > 1 && text[0] == '+' ? 1 : 0);
-      const char *const end = text.data() + text.size();
-      const auto result     = std::from_chars(begin, end, number);
+      const char *const end    = text.data() + text.size();
+      const auto        result = std::from_chars(begin, end, number);
       return result.ec == std::errc() && result.ptr == end &&
              std::isfinite(number);
     }
@@ -91,23 +91,24 @@ namespace Waker
     {
       const std::size_t n = p.size();
       for (std::size_t i = 0; i < n; ++i)
-      {
-        // Neighbouring edges meet in a corner: they must not fold back.
-        const Corner &a = p[i], &b = p[(i + 1) % n], &c = p[(i + 2) % n];
-        if (side(a, b, c) == 0 &&
-            (b[0] - a[0]) * (c[0] - b[0]) + (b[1] - a[1]) * (c[1] - b[1]) < 0.)
-          throw UserError(where,
-                          "the edges " + edge_name(p, i) + " and " +
-                            edge_name(p, (i + 1) % n) + " lie on each other",
-                          allowed_polygon);
-        for (std::size_t j = i + 2; j < n; ++j)
-          if (!(i == 0 && j == n - 1) &&
-              segments_meet(a, b, p[j], p[(j + 1) % n]))
+        {
+          // Neighbouring edges meet in a corner: they must not fold back.
+          const Corner &a = p[i], &b = p[(i + 1) % n], &c = p[(i + 2) % n];
+          if (side(a, b, c) == 0 &&
+              (b[0] - a[0]) * (c[0] - b[0]) + (b[1] - a[1]) * (c[1] - b[1]) <
+                0.)
             throw UserError(where,
                             "the edges " + edge_name(p, i) + " and " +
-                              edge_name(p, j) + " cross or touch",
+                              edge_name(p, (i + 1) % n) + " lie on each other",
                             allowed_polygon);
-      }
+          for (std::size_t j = i + 2; j < n; ++j)
+            if (!(i == 0 && j == n - 1) &&
+                segments_meet(a, b, p[j], p[(j + 1) % n]))
+              throw UserError(where,
+                              "the edges " + edge_name(p, i) + " and " +
+                                edge_name(p, j) + " cross or touch",
+                              allowed_polygon);
+        }
     }
 
     /// The part of an anticlockwise triangle that lies in another one.
@@ -116,24 +117,24 @@ namespace Waker
     {
       Polygon rest = triangle;
       for (unsigned int k = 0; k < 3 && !rest.empty(); ++k)
-      {
-        const Corner &a = window[k], &b = window[(k + 1) % 3];
-        Polygon kept;
-        for (std::size_t i = 0; i < rest.size(); ++i)
         {
-          const Corner &p = rest[i], &q = rest[(i + 1) % rest.size()];
-          const double t_p = turn(a, b, p), t_q = turn(a, b, q);
-          if (t_p >= 0.)
-            kept.push_back(p);
-          if ((t_p > 0. && t_q < 0.) || (t_p < 0. && t_q > 0.))
-          {
-            const double s = t_p / (t_p - t_q);
-            kept.push_back(
-              {{p[0] + s * (q[0] - p[0]), p[1] + s * (q[1] - p[1])}});
-          }
+          const Corner &a = window[k], &b = window[(k + 1) % 3];
+          Polygon       kept;
+          for (std::size_t i = 0; i < rest.size(); ++i)
+            {
+              const Corner &p = rest[i], &q = rest[(i + 1) % rest.size()];
+              const double  t_p = turn(a, b, p), t_q = turn(a, b, q);
+              if (t_p >= 0.)
+                kept.push_back(p);
+              if ((t_p > 0. && t_q < 0.) || (t_p < 0. && t_q > 0.))
+                {
+                  const double s = t_p / (t_p - t_q);
+                  kept.push_back(
+                    {{p[0] + s * (q[0] - p[0]), p[1] + s * (q[1] - p[1])}});
+                }
+            }
+          rest = kept;
         }
-        rest = kept;
-      }
       return rest;
     }
   } // namespace
@@ -143,7 +144,7 @@ namespace Waker
   to_text(const double number)
   {
     std::array<char, 32> text;
-    const auto result =
+    const auto           result =
       std::to_chars(text.data(), text.data() + text.size(), number);
     return std::string(text.data(), result.ptr);
   }
@@ -165,18 +166,18 @@ namespace Waker
     Polygon polygon;
     for (const std::string &item :
          dealii::Utilities::split_string_list(text, ';'))
-    {
-      const std::vector<std::string> numbers =
-        dealii::Utilities::split_string_list(item, ',');
-      Corner corner;
-      if (numbers.size() != 2 || !read_number(numbers[0], corner[0]) ||
-          !read_number(numbers[1], corner[1]))
-        throw UserError(where,
-                        "corner " + std::to_string(polygon.size() + 1) +
-                          " is \"" + item + "\", not two numbers",
-                        allowed_polygon);
-      polygon.push_back(corner);
-    }
+      {
+        const std::vector<std::string> numbers =
+          dealii::Utilities::split_string_list(item, ',');
+        Corner corner;
+        if (numbers.size() != 2 || !read_number(numbers[0], corner[0]) ||
+            !read_number(numbers[1], corner[1]))
+          throw UserError(where,
+                          "corner " + std::to_string(polygon.size() + 1) +
+                            " is \"" + item + "\", not two numbers",
+                          allowed_polygon);
+        polygon.push_back(corner);
+      }
     polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
     while (polygon.size() > 1 && polygon.front() == polygon.back())
       polygon.pop_back();
@@ -218,17 +219,17 @@ namespace Waker
     double sum = 0.;
     for (std::size_t i = 1; i + 1 < a.size(); ++i)
       for (std::size_t j = 1; j + 1 < b.size(); ++j)
-      {
-        Polygon one = triangle(a, i), other = triangle(b, j);
-        double sign = 1.;
-        for (Polygon *t : {&one, &other})
-          if (signed_area(*t) < 0.)
-          {
-            std::swap((*t)[1], (*t)[2]);
-            sign = -sign;
-          }
-        sum += sign * signed_area(clip(one, other));
-      }
+        {
+          Polygon one = triangle(a, i), other = triangle(b, j);
+          double  sign = 1.;
+          for (Polygon *t : {&one, &other})
+            if (signed_area(*t) < 0.)
+              {
+                std::swap((*t)[1], (*t)[2]);
+                sign = -sign;
+              }
+          sum += sign * signed_area(clip(one, other));
+        }
     return sum;
   }
 } // namespace Waker

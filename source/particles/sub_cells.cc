@@ -33,15 +33,15 @@ namespace Waker
         std::array<double, 2> high = corners[0];
         for (const auto &p : corners)
           for (unsigned int d = 0; d < 2; ++d)
-          {
-            low[d]  = std::min(low[d], p[d]);
-            high[d] = std::max(high[d], p[d]);
-          }
+            {
+              low[d]  = std::min(low[d], p[d]);
+              high[d] = std::max(high[d], p[d]);
+            }
         for (unsigned int d = 0; d < 2; ++d)
-        {
-          first[d] = static_cast<int>(std::floor(low[d]));
-          n[d] = std::max(1, static_cast<int>(std::ceil(high[d])) - first[d]);
-        }
+          {
+            first[d] = static_cast<int>(std::floor(low[d]));
+            n[d] = std::max(1, static_cast<int>(std::ceil(high[d])) - first[d]);
+          }
         inside.resize(n[0] * n[1]);
         rest_of_row.resize(n[0] * n[1]);
         for (std::size_t k = 0; k < corners.size(); ++k)
@@ -53,36 +53,38 @@ namespace Waker
       {
         std::vector<SubCellPart> result;
         for (int j = 0; j < n[1]; ++j)
-        {
-          Moments left; // what the squares to the left hand on
-          for (int i = 0; i < n[0]; ++i)
           {
-            const Moments &own   = inside[j * n[0] + i];
-            const Moments square = {own.area + left.area,
-                                    own.x + left.x,
-                                    own.y + left.y};
-            const Moments &more  = rest_of_row[j * n[0] + i];
-            left.area += more.area;
-            left.x += more.x;
-            left.y += more.y;
+            Moments left; // what the squares to the left hand on
+            for (int i = 0; i < n[0]; ++i)
+              {
+                const Moments &own    = inside[j * n[0] + i];
+                const Moments  square = {own.area + left.area,
+                                         own.x + left.x,
+                                         own.y + left.y};
+                const Moments &more   = rest_of_row[j * n[0] + i];
+                left.area += more.area;
+                left.x += more.x;
+                left.y += more.y;
 
-            SubCellPart part;
-            part.index    = {{first[0] + i, first[1] + j}};
-            part.share    = 1.;
-            part.centroid = {{part.index[0] + .5, part.index[1] + .5}};
-            if (square.area < round_off)
-              continue;
-            if (square.area < 1. - round_off)
-            {
-              part.share = square.area;
-              // Round-off must not move the centroid of a sliver out.
-              part.centroid = {
-                {part.index[0] + std::clamp(square.x / square.area, 0., 1.),
-                 part.index[1] + std::clamp(square.y / square.area, 0., 1.)}};
-            }
-            result.push_back(part);
+                SubCellPart part;
+                part.index    = {{first[0] + i, first[1] + j}};
+                part.share    = 1.;
+                part.centroid = {{part.index[0] + .5, part.index[1] + .5}};
+                if (square.area < round_off)
+                  continue;
+                if (square.area < 1. - round_off)
+                  {
+                    part.share = square.area;
+                    // Round-off must not move the centroid of a sliver out.
+                    part.centroid = {
+                      {part.index[0] +
+                         std::clamp(square.x / square.area, 0., 1.),
+                       part.index[1] +
+                         std::clamp(square.y / square.area, 0., 1.)}};
+                  }
+                result.push_back(part);
+              }
           }
-        }
         return result;
       }
 
@@ -96,28 +98,30 @@ namespace Waker
         const double y0 = from[1] - first[1], y1 = to[1] - first[1];
         if (y0 == y1)
           return; // nothing lies to the right of a horizontal edge
-        const bool up       = y1 > y0;
-        const int row_begin = static_cast<int>(std::floor(std::min(y0, y1)));
-        const int row_end   = static_cast<int>(std::ceil(std::max(y0, y1)));
-        const auto x_at     = [&](const double y) {
+        const bool up        = y1 > y0;
+        const int  row_begin = static_cast<int>(std::floor(std::min(y0, y1)));
+        const int  row_end   = static_cast<int>(std::ceil(std::max(y0, y1)));
+        const auto x_at      = [&](const double y) {
           if (y == y0 || y == y1)
             return y == y0 ? x0 : x1;
           const double x = x0 + (x1 - x0) * ((y - y0) / (y1 - y0));
           return std::clamp(x, std::min(x0, x1), std::max(x0, x1));
         };
         for (int j = row_begin; j < row_end; ++j)
-        {
-          const double y_low  = std::max<double>(j, std::min(y0, y1));
-          const double y_high = std::min<double>(j + 1, std::max(y0, y1));
-          if (up)
-            add_row_piece(j, x_at(y_low), y_low - j, x_at(y_high), y_high - j);
-          else
-            add_row_piece(j, x_at(y_high), y_high - j, x_at(y_low), y_low - j);
-        }
+          {
+            const double y_low  = std::max<double>(j, std::min(y0, y1));
+            const double y_high = std::min<double>(j + 1, std::max(y0, y1));
+            if (up)
+              add_row_piece(
+                j, x_at(y_low), y_low - j, x_at(y_high), y_high - j);
+            else
+              add_row_piece(
+                j, x_at(y_high), y_high - j, x_at(y_low), y_low - j);
+          }
       }
 
       void
-      add_row_piece(const int j,
+      add_row_piece(const int    j,
                     const double x0,
                     const double y0,
                     const double x1,
@@ -134,21 +138,21 @@ namespace Waker
         };
         double x = x0, y = y0;
         for (int k = begin; k < end; ++k)
-        {
-          const int i         = x1 >= x0 ? k : begin + end - 1 - k;
-          const bool last     = k == end - 1;
-          const double next_x = last ? x1 : x1 >= x0 ? i + 1. : i;
-          const double next_y = last ? y1 : y_at(next_x);
-          add_piece(j * n[0] + i, x - i, y, next_x - i, next_y);
-          x = next_x;
-          y = next_y;
-        }
+          {
+            const int    i      = x1 >= x0 ? k : begin + end - 1 - k;
+            const bool   last   = k == end - 1;
+            const double next_x = last ? x1 : x1 >= x0 ? i + 1. : i;
+            const double next_y = last ? y1 : y_at(next_x);
+            add_piece(j * n[0] + i, x - i, y, next_x - i, next_y);
+            x = next_x;
+            y = next_y;
+          }
       }
 
       /// Add what lies to the right of a piece inside one square: positive if
       /// it runs down, since an anticlockwise polygon then lies on that side.
       void
-      add_piece(const int square,
+      add_piece(const int    square,
                 const double x0,
                 const double y0,
                 const double x1,
@@ -166,8 +170,8 @@ namespace Waker
         rest_of_row[square].y += height * y_mean;
       }
 
-      std::array<int, 2> first;
-      std::array<int, 2> n;
+      std::array<int, 2>   first;
+      std::array<int, 2>   n;
       std::vector<Moments> inside;
       std::vector<Moments> rest_of_row;
     };
@@ -194,17 +198,17 @@ namespace Waker
 
   std::vector<SubCellPart>
   merge_small_parts(const std::vector<SubCellPart> &parts,
-                    const double minimum_share)
+                    const double                    minimum_share)
   {
     std::vector<SubCellPart> merged(parts);
-    std::vector<bool> gone(parts.size(), false);
-    const auto is_small = [&](const double share) {
+    std::vector<bool>        gone(parts.size(), false);
+    const auto               is_small = [&](const double share) {
       return share < minimum_share - round_off;
     };
 
     // The parts lie lexicographically: find one by bisection.
     const auto find = [&](const int i, const int j) {
-      const auto before = [](const SubCellPart &part,
+      const auto before = [](const SubCellPart         &part,
                              const std::pair<int, int> &ji) {
         return std::make_pair(part.index[1], part.index[0]) < ji;
       };
@@ -225,42 +229,42 @@ namespace Waker
         small.emplace(parts[p].share, p);
 
     while (!small.empty())
-    {
-      const Entry entry = small.top();
-      small.pop();
-      const std::size_t p = entry.second;
-      if (gone[p] || merged[p].share != entry.first)
-        continue; // it has merged, or grown and stands in the queue again
-
-      std::size_t best     = parts.size();
-      double best_distance = std::numeric_limits<double>::max();
-      for (const auto &step :
-           {std::array<int, 2>{{0, -1}}, {{-1, 0}}, {{1, 0}}, {{0, 1}}})
       {
-        const std::size_t q =
-          find(parts[p].index[0] + step[0], parts[p].index[1] + step[1]);
-        if (q == parts.size() || gone[q])
+        const Entry entry = small.top();
+        small.pop();
+        const std::size_t p = entry.second;
+        if (gone[p] || merged[p].share != entry.first)
+          continue; // it has merged, or grown and stands in the queue again
+
+        std::size_t best          = parts.size();
+        double      best_distance = std::numeric_limits<double>::max();
+        for (const auto &step :
+             {std::array<int, 2>{{0, -1}}, {{-1, 0}}, {{1, 0}}, {{0, 1}}})
+          {
+            const std::size_t q =
+              find(parts[p].index[0] + step[0], parts[p].index[1] + step[1]);
+            if (q == parts.size() || gone[q])
+              continue;
+            // Shares and centroids before any merging, so that the choice
+            // hardly depends on the order.
+            const double distance =
+              std::hypot(parts[q].centroid[0] - parts[p].centroid[0],
+                         parts[q].centroid[1] - parts[p].centroid[1]);
+            const double more =
+              best == parts.size() ? 1. : parts[q].share - parts[best].share;
+            if (more > 1e-9 || (more > -1e-9 && distance < best_distance))
+              {
+                best          = q;
+                best_distance = distance;
+              }
+          }
+        if (best == parts.size())
           continue;
-        // Shares and centroids before any merging, so that the choice
-        // hardly depends on the order.
-        const double distance =
-          std::hypot(parts[q].centroid[0] - parts[p].centroid[0],
-                     parts[q].centroid[1] - parts[p].centroid[1]);
-        const double more =
-          best == parts.size() ? 1. : parts[q].share - parts[best].share;
-        if (more > 1e-9 || (more > -1e-9 && distance < best_distance))
-        {
-          best          = q;
-          best_distance = distance;
-        }
+        give(merged[p], merged[best]);
+        gone[p] = true;
+        if (is_small(merged[best].share))
+          small.emplace(merged[best].share, best);
       }
-      if (best == parts.size())
-        continue;
-      give(merged[p], merged[best]);
-      gone[p] = true;
-      if (is_small(merged[best].share))
-        small.emplace(merged[best].share, best);
-    }
 
     std::vector<SubCellPart> result;
     for (std::size_t p = 0; p < parts.size(); ++p)
@@ -277,27 +281,27 @@ namespace Waker
   {
     std::vector<IntervalPart> parts;
     for (int k = static_cast<int>(std::floor(begin)); k < end; ++k)
-    {
-      const double a = std::max<double>(k, begin);
-      const double b = std::min<double>(k + 1, end);
-      if (b - a > round_off)
-        parts.push_back({k, b - a, (a + b) / 2.});
-    }
+      {
+        const double a = std::max<double>(k, begin);
+        const double b = std::min<double>(k + 1, end);
+        if (b - a > round_off)
+          parts.push_back({k, b - a, (a + b) / 2.});
+      }
     const auto give = [](const IntervalPart &from, IntervalPart &to) {
       to.centroid = (from.share * from.centroid + to.share * to.centroid) /
                     (from.share + to.share);
       to.share += from.share;
     };
     if (parts.size() > 1 && parts.front().share < minimum_share - round_off)
-    {
-      give(parts[0], parts[1]);
-      parts.erase(parts.begin());
-    }
+      {
+        give(parts[0], parts[1]);
+        parts.erase(parts.begin());
+      }
     if (parts.size() > 1 && parts.back().share < minimum_share - round_off)
-    {
-      give(parts.back(), parts[parts.size() - 2]);
-      parts.pop_back();
-    }
+      {
+        give(parts.back(), parts[parts.size() - 2]);
+        parts.pop_back();
+      }
     return parts;
   }
 } // namespace Waker

@@ -13,8 +13,8 @@ namespace Waker
   {
     /// The options that `run` and `strength-reduction` share.
     CLI::App *
-    add_simulation_command(CLI::App &app,
-                           CommandLine &line,
+    add_simulation_command(CLI::App          &app,
+                           CommandLine       &line,
                            const std::string &name,
                            const std::string &description)
     {
@@ -60,8 +60,8 @@ namespace Waker
   parse_command_line(const int argc, const char *const *argv)
   {
     CommandLine line;
-    CLI::App app("Waker computes how a dyke fails, from the first slide to "
-                 "flooding.",
+    CLI::App    app("Waker computes how a dyke fails, from the first slide to "
+                    "flooding.",
                  "waker");
     app.set_version_flag("--version",
                          "waker " WAKER_VERSION " (" WAKER_BUILD_TYPE
@@ -86,20 +86,20 @@ namespace Waker
       ->check(CLI::IsMember({"prm", "json", "xml", "markdown"}));
 
     try
-    {
-      app.parse(argc, argv);
-    }
+      {
+        app.parse(argc, argv);
+      }
     catch (const CLI::ParseError &error)
-    {
-      std::ostringstream text, unused;
-      if (app.exit(error, text, unused) != 0)
-        throw UserError("command line",
-                        one_line(error.what()),
-                        "waker run FILE, waker strength-reduction FILE, "
-                        "waker parameters; waker --help says more");
-      line.text = text.str();
-      return line;
-    }
+      {
+        std::ostringstream text, unused;
+        if (app.exit(error, text, unused) != 0)
+          throw UserError("command line",
+                          one_line(error.what()),
+                          "waker run FILE, waker strength-reduction FILE, "
+                          "waker parameters; waker --help says more");
+        line.text = text.str();
+        return line;
+      }
 
     if (run->parsed())
       line.command = Command::run;

@@ -14,9 +14,9 @@ namespace Waker
   {
     template <typename Struct>
     void
-    declare_section(ParameterHandler &prm,
+    declare_section(ParameterHandler  &prm,
                     const std::string &section,
-                    Struct &parameters)
+                    Struct            &parameters)
     {
       prm.enter_subsection(section);
       parameters.add_parameters(prm);
@@ -27,12 +27,12 @@ namespace Waker
     /// A section with a list of names and a subsection for each.
     template <typename Struct>
     void
-    declare_named(ParameterHandler &prm,
-                  const std::string &section,
-                  const std::string &list,
-                  const std::string &documentation,
+    declare_named(ParameterHandler               &prm,
+                  const std::string              &section,
+                  const std::string              &list,
+                  const std::string              &documentation,
                   const std::vector<std::string> &names,
-                  std::vector<Struct> &parameters)
+                  std::vector<Struct>            &parameters)
     {
       prm.enter_subsection(section);
       prm.declare_entry(list, "", Patterns::Anything(), documentation);
@@ -43,10 +43,10 @@ namespace Waker
 
       parameters.resize(names.size());
       for (std::size_t i = 0; i < names.size(); ++i)
-      {
-        parameters[i].name = names[i];
-        declare_section(prm, names[i], parameters[i]);
-      }
+        {
+          parameters[i].name = names[i];
+          declare_section(prm, names[i], parameters[i]);
+        }
       prm.leave_subsection();
     }
 
@@ -54,24 +54,24 @@ namespace Waker
     /// Collect the leaves of deal.II's JSON, which is the only way it tells
     /// what has been declared.
     void
-    collect(const nlohmann::ordered_json &node,
-            const std::string &section,
+    collect(const nlohmann::ordered_json   &node,
+            const std::string              &section,
             std::vector<DeclaredParameter> &result)
     {
       for (const auto &item : node.items())
-      {
-        const nlohmann::ordered_json &child = item.value();
-        const auto pattern                  = child.find("pattern_description");
-        if (pattern == child.end() || !pattern->is_string())
-          collect(child, parameter_path(section, item.key()), result);
-        else
-          result.push_back({section,
-                            item.key(),
-                            tidy(child["value"]),
-                            tidy(child["default_value"]),
-                            *pattern,
-                            child["documentation"]});
-      }
+        {
+          const nlohmann::ordered_json &child = item.value();
+          const auto pattern = child.find("pattern_description");
+          if (pattern == child.end() || !pattern->is_string())
+            collect(child, parameter_path(section, item.key()), result);
+          else
+            result.push_back({section,
+                              item.key(),
+                              tidy(child["value"]),
+                              tidy(child["default_value"]),
+                              *pattern,
+                              child["documentation"]});
+        }
     }
   } // namespace
 
@@ -84,8 +84,8 @@ namespace Waker
 
 
   void
-  declare_parameters(ParameterHandler &prm,
-                     Parameters &parameters,
+  declare_parameters(ParameterHandler     &prm,
+                     Parameters           &parameters,
                      const ParameterNames &names)
   {
     prm.add_parameter("Dimension",

@@ -20,11 +20,11 @@ namespace Waker
     {
       std::string result;
       for (const char c : text)
-      {
-        if (c == '|' || c == '*' || c == '<' || c == '_')
-          result += '\\';
-        result += c;
-      }
+        {
+          if (c == '|' || c == '*' || c == '<' || c == '_')
+            result += '\\';
+          result += c;
+        }
       return result;
     }
 
@@ -39,22 +39,22 @@ namespace Waker
                 "Replace `<name>` by a name that the list above it holds.\n";
       std::string section = "-"; // of the table at hand
       for (const DeclaredParameter &parameter : declared_parameters(prm))
-      {
-        if (parameter.section != section)
         {
-          section = parameter.section;
-          output << "\n## "
-                 << (section.empty() ? "Top level" : escaped(section))
-                 << "\n\n| name | default | allowed | meaning |\n"
-                    "|---|---|---|---|\n";
+          if (parameter.section != section)
+            {
+              section = parameter.section;
+              output << "\n## "
+                     << (section.empty() ? "Top level" : escaped(section))
+                     << "\n\n| name | default | allowed | meaning |\n"
+                        "|---|---|---|---|\n";
+            }
+          output << "| " << escaped(parameter.name) << " | "
+                 << (parameter.default_value.empty()
+                       ? "(empty)"
+                       : escaped(parameter.default_value))
+                 << " | " << escaped(pattern_in_words(parameter.pattern))
+                 << " | " << escaped(parameter.documentation) << " |\n";
         }
-        output << "| " << escaped(parameter.name) << " | "
-               << (parameter.default_value.empty()
-                     ? "(empty)"
-                     : escaped(parameter.default_value))
-               << " | " << escaped(pattern_in_words(parameter.pattern)) << " | "
-               << escaped(parameter.documentation) << " |\n";
-      }
     }
 
 
@@ -67,20 +67,20 @@ namespace Waker
 
     /// `text` as comment lines of at most 78 characters.
     void
-    print_comment(std::ostream &output,
+    print_comment(std::ostream      &output,
                   const std::string &text,
-                  const std::size_t depth)
+                  const std::size_t  depth)
     {
       std::string line = indent(depth) + "#";
       for (const std::string &word : split(text, ' '))
-      {
-        if (line.size() + 1 + word.size() > 78)
         {
-          output << line << '\n';
-          line = indent(depth) + "#";
+          if (line.size() + 1 + word.size() > 78)
+            {
+              output << line << '\n';
+              line = indent(depth) + "#";
+            }
+          line += " " + word;
         }
-        line += " " + word;
-      }
       output << line << '\n';
     }
 
@@ -91,28 +91,29 @@ namespace Waker
     {
       std::vector<std::string> open; // sections
       for (const DeclaredParameter &parameter : declared_parameters(prm))
-      {
-        const std::vector<std::string> sections = split(parameter.section, '/');
-        while (open.size() > sections.size() ||
-               !std::equal(open.begin(), open.end(), sections.begin()))
         {
-          open.pop_back();
-          output << indent(open.size()) << "end\n";
+          const std::vector<std::string> sections =
+            split(parameter.section, '/');
+          while (open.size() > sections.size() ||
+                 !std::equal(open.begin(), open.end(), sections.begin()))
+            {
+              open.pop_back();
+              output << indent(open.size()) << "end\n";
+            }
+          while (open.size() < sections.size())
+            {
+              output << '\n'
+                     << indent(open.size()) << "subsection "
+                     << sections[open.size()] << '\n';
+              open.push_back(sections[open.size()]);
+            }
+          print_comment(output, parameter.documentation, open.size());
+          print_comment(output,
+                        "Allowed: " + pattern_in_words(parameter.pattern) + ".",
+                        open.size());
+          output << indent(open.size()) << "set " << parameter.name << " = "
+                 << parameter.value << '\n';
         }
-        while (open.size() < sections.size())
-        {
-          output << '\n'
-                 << indent(open.size()) << "subsection "
-                 << sections[open.size()] << '\n';
-          open.push_back(sections[open.size()]);
-        }
-        print_comment(output, parameter.documentation, open.size());
-        print_comment(output,
-                      "Allowed: " + pattern_in_words(parameter.pattern) + ".",
-                      open.size());
-        output << indent(open.size()) << "set " << parameter.name << " = "
-               << parameter.value << '\n';
-      }
       for (; !open.empty(); open.pop_back())
         output << indent(open.size() - 1) << "end\n";
     }
@@ -122,7 +123,7 @@ namespace Waker
   void
   print_parameters(std::ostream &output, const std::string &format)
   {
-    Parameters parameters;
+    Parameters       parameters;
     ParameterHandler prm;
     declare_parameters(prm, parameters, {{"<name>"}, {"<name>"}, {"<name>"}});
 

@@ -67,20 +67,20 @@ namespace Waker
 
     /// The overrides replace entries of the file.
     void
-    override_entries(std::vector<PrmEntry> &entries,
+    override_entries(std::vector<PrmEntry>       &entries,
                      const std::vector<PrmEntry> &overrides)
     {
       for (const PrmEntry &override_entry : overrides)
-      {
-        entries.erase(std::remove_if(entries.begin(),
-                                     entries.end(),
-                                     [&](const PrmEntry &entry) {
-                                       return entry.path() ==
-                                              override_entry.path();
-                                     }),
-                      entries.end());
-        entries.push_back(override_entry);
-      }
+        {
+          entries.erase(std::remove_if(entries.begin(),
+                                       entries.end(),
+                                       [&](const PrmEntry &entry) {
+                                         return entry.path() ==
+                                                override_entry.path();
+                                       }),
+                        entries.end());
+          entries.push_back(override_entry);
+        }
     }
 
 
@@ -107,35 +107,36 @@ namespace Waker
     {
       for (const PrmEntry &entry : contents.entries)
         if (entry.section == section && entry.name == list)
-        {
-          const std::vector<std::string> names = split(entry.value, ',');
-          const auto refuse = [&entry](const std::string &what,
-                                       const std::string &allowed) {
-            throw UserError(entry.where, entry.path() + ": " + what, allowed);
-          };
-          for (const std::string &name : names)
           {
-            if (name.empty() || name == list ||
-                name.find('/') != std::string::npos)
-              refuse(in_quotes(name) + " is no name",
-                     "names without \"/\", separated by commas");
-            if (std::count(names.begin(), names.end(), name) > 1)
-              refuse(in_quotes(name) + " is listed twice", "each name once");
-            if (!is_mentioned(contents, parameter_path(section, name)))
-              refuse("there is no subsection " + in_quotes(name),
-                     "a subsection of " + in_quotes(section) +
-                       " for every name");
+            const std::vector<std::string> names = split(entry.value, ',');
+            const auto refuse = [&entry](const std::string &what,
+                                         const std::string &allowed) {
+              throw UserError(entry.where, entry.path() + ": " + what, allowed);
+            };
+            for (const std::string &name : names)
+              {
+                if (name.empty() || name == list ||
+                    name.find('/') != std::string::npos)
+                  refuse(in_quotes(name) + " is no name",
+                         "names without \"/\", separated by commas");
+                if (std::count(names.begin(), names.end(), name) > 1)
+                  refuse(in_quotes(name) + " is listed twice",
+                         "each name once");
+                if (!is_mentioned(contents, parameter_path(section, name)))
+                  refuse("there is no subsection " + in_quotes(name),
+                         "a subsection of " + in_quotes(section) +
+                           " for every name");
+              }
+            return names;
           }
-          return names;
-        }
       return {};
     }
 
 
     /// Check an entry and hand it to deal.II, which sets the struct.
     void
-    set_entry(ParameterHandler &prm,
-              const PrmEntry &entry,
+    set_entry(ParameterHandler        &prm,
+              const PrmEntry          &entry,
               const DeclaredParameter &declaration)
     {
       const auto refuse = [&]() {
@@ -151,13 +152,13 @@ namespace Waker
       for (const std::string &section : sections)
         prm.enter_subsection(section);
       try
-      {
-        prm.set(entry.name, normalised(entry.value, declaration.pattern));
-      }
+        {
+          prm.set(entry.name, normalised(entry.value, declaration.pattern));
+        }
       catch (const ExceptionBase &)
-      {
-        refuse();
-      }
+        {
+          refuse();
+        }
       for (std::size_t i = 0; i < sections.size(); ++i)
         prm.leave_subsection();
     }
@@ -187,17 +188,19 @@ namespace Waker
 
 
   std::unique_ptr<Parameters>
-  read_parameters(const std::string &source,
+  read_parameters(const std::string              &source,
                   const std::vector<std::string> &overrides,
-                  ParameterLocations *locations)
+                  ParameterLocations             *locations)
   {
-    ParameterLocations own_locations;
+    ParameterLocations  own_locations;
     ParameterLocations &map = locations != nullptr ? *locations : own_locations;
     map                     = ParameterLocations();
-    map.source              = source == "-" ? "standard input" : source;
+    map.source              = source == "-"    ? "standard input"
+                              : source.empty() ? in_quotes("")
+                                               : source;
 
     const std::vector<PrmEntry> override_list = scan_overrides(overrides);
-    PrmContents contents                      = scan_source(source, map.source);
+    PrmContents                 contents      = scan_source(source, map.source);
     override_entries(contents.entries, override_list);
 
     // First the names, then the subsections that they call for.
@@ -206,23 +209,23 @@ namespace Waker
     names.layers     = read_names(contents, "Soil profile", "Layers");
     names.conditions = read_names(contents, "Boundary conditions", "Names");
 
-    auto parameters = std::make_unique<Parameters>();
+    auto             parameters = std::make_unique<Parameters>();
     ParameterHandler prm;
     declare_parameters(prm, *parameters, names);
     const std::vector<DeclaredParameter> declared = declared_parameters(prm);
 
     for (const PrmSection &section : contents.sections)
-    {
-      check_section(section, declared);
-      map.lines[section.path] = section.where;
-    }
+      {
+        check_section(section, declared);
+        map.lines[section.path] = section.where;
+      }
     for (const DeclaredParameter &parameter : declared)
       map.known.insert(parameter.path());
     for (const PrmEntry &entry : contents.entries)
-    {
-      set_entry(prm, entry, find_declared(entry, declared));
-      map.lines[entry.path()] = entry.where;
-    }
+      {
+        set_entry(prm, entry, find_declared(entry, declared));
+        map.lines[entry.path()] = entry.where;
+      }
 
     std::ostringstream text;
     prm.print_parameters(text,
@@ -232,13 +235,13 @@ namespace Waker
     parameters->hash = hash_of_case(declared_parameters(prm));
 
     try
-    {
-      parameters->check();
-    }
+      {
+        parameters->check();
+      }
     catch (const UserError &error)
-    {
-      throw map.located(error);
-    }
+      {
+        throw map.located(error);
+      }
     return parameters;
   }
 } // namespace Waker

@@ -72,7 +72,7 @@ namespace Waker
     list_in_words(const ListPattern &list)
     {
       const std::string element = pattern_in_words(list.element);
-      std::string count;
+      std::string       count;
       if (list.shortest == list.longest)
         count = list.shortest + " ";
       else if (list.longest != "4294967295")
@@ -98,13 +98,13 @@ namespace Waker
     if (starts_with(pattern, "[Bool"))
       return "true or false";
     if (starts_with(pattern, "[Selection "))
-    {
-      std::string words;
-      for (const std::string &choice :
-           split(pattern.substr(11, pattern.size() - 12), '|'))
-        words += (words.empty() ? "one of " : ", ") + choice;
-      return words;
-    }
+      {
+        std::string words;
+        for (const std::string &choice :
+             split(pattern.substr(11, pattern.size() - 12), '|'))
+          words += (words.empty() ? "one of " : ", ") + choice;
+        return words;
+      }
     if (starts_with(pattern, "[Anything") ||
         starts_with(pattern, "[FileName") ||
         starts_with(pattern, "[DirectoryName"))
@@ -125,24 +125,24 @@ namespace Waker
   {
     ListPattern list;
     if (parse_list(pattern, list))
-    {
-      std::string result;
-      for (const std::string &element : split(value, list.separator[0]))
-        result += (result.empty() ? "" : list.separator + " ") +
-                  normalised(element, list.element);
-      return result;
-    }
+      {
+        std::string result;
+        for (const std::string &element : split(value, list.separator[0]))
+          result += (result.empty() ? "" : list.separator + " ") +
+                    normalised(element, list.element);
+        return result;
+      }
     if (starts_with(pattern, "[Double"))
-    {
-      // Read as deal.II reads, written with the fewest digits that give
-      // the same number again.
-      double number = 0.;
-      std::istringstream stream(value);
-      stream >> number;
-      char buffer[32];
-      const auto end = std::to_chars(buffer, buffer + sizeof buffer, number);
-      return std::string(buffer, end.ptr);
-    }
+      {
+        // Read as deal.II reads, written with the fewest digits that give
+        // the same number again.
+        double             number = 0.;
+        std::istringstream stream(value);
+        stream >> number;
+        char       buffer[32];
+        const auto end = std::to_chars(buffer, buffer + sizeof buffer, number);
+        return std::string(buffer, end.ptr);
+      }
     return tidy(value);
   }
 } // namespace Waker

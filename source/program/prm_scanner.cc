@@ -27,13 +27,13 @@ namespace Waker
   {
     std::string result;
     for (const char c : text)
-    {
-      const bool blank = std::isspace(static_cast<unsigned char>(c)) != 0;
-      if (!blank)
-        result += c;
-      else if (!result.empty() && result.back() != ' ')
-        result += ' ';
-    }
+      {
+        const bool blank = std::isspace(static_cast<unsigned char>(c)) != 0;
+        if (!blank)
+          result += c;
+        else if (!result.empty() && result.back() != ' ')
+          result += ' ';
+      }
     if (!result.empty() && result.back() == ' ')
       result.pop_back();
     return result;
@@ -48,13 +48,13 @@ namespace Waker
       return parts;
     std::size_t begin = 0;
     while (true)
-    {
-      const std::size_t end = text.find(separator, begin);
-      parts.push_back(tidy(text.substr(begin, end - begin)));
-      if (end == std::string::npos)
-        return parts;
-      begin = end + 1;
-    }
+      {
+        const std::size_t end = text.find(separator, begin);
+        parts.push_back(tidy(text.substr(begin, end - begin)));
+        if (end == std::string::npos)
+          return parts;
+        begin = end + 1;
+      }
   }
 
 
@@ -62,7 +62,7 @@ namespace Waker
   in_quotes(const std::string &text)
   {
     const std::size_t longest = 60;
-    std::string result        = "\"";
+    std::string       result  = "\"";
     for (const char c : text.substr(0, longest))
       result += std::iscntrl(static_cast<unsigned char>(c)) != 0 ? '?' : c;
     if (text.size() > longest)
@@ -155,7 +155,7 @@ namespace Waker
       read_entry(const std::string &text)
       {
         const std::size_t equals = text.find('=');
-        PrmEntry entry;
+        PrmEntry          entry;
         entry.section = open.empty() ? "" : open.back().path;
         entry.name    = tidy(text.substr(0, equals));
         entry.where   = where;
@@ -180,11 +180,11 @@ namespace Waker
                           "each subsection and each name once");
       }
 
-      const std::string source;
-      std::string where; // the line at hand
-      std::vector<PrmSection> open;
+      const std::string                  source;
+      std::string                        where; // the line at hand
+      std::vector<PrmSection>            open;
       std::map<std::string, std::string> seen;
-      PrmContents contents;
+      PrmContents                        contents;
     };
   } // namespace
 
@@ -192,27 +192,27 @@ namespace Waker
   PrmContents
   scan_prm(std::istream &input, const std::string &source)
   {
-    Scanner scanner(source);
-    std::string physical_line, line;
+    Scanner      scanner(source);
+    std::string  physical_line, line;
     unsigned int number = 0, first_number = 1;
     while (std::getline(input, physical_line))
-    {
-      ++number;
-      if (number == 1 && physical_line.rfind("\xEF\xBB\xBF", 0) == 0)
-        physical_line.erase(0, 3); // byte order mark of some editors
-
-      // The line number of an entry is that of its first line.
-      if (line.empty())
-        first_number = number;
-      line += " " + tidy(physical_line.substr(0, physical_line.find('#')));
-      if (line.back() == '\\')
-        line.pop_back();
-      else
       {
-        scanner.read_line(tidy(line), first_number);
-        line.clear();
+        ++number;
+        if (number == 1 && physical_line.rfind("\xEF\xBB\xBF", 0) == 0)
+          physical_line.erase(0, 3); // byte order mark of some editors
+
+        // The line number of an entry is that of its first line.
+        if (line.empty())
+          first_number = number;
+        line += " " + tidy(physical_line.substr(0, physical_line.find('#')));
+        if (line.back() == '\\')
+          line.pop_back();
+        else
+          {
+            scanner.read_line(tidy(line), first_number);
+            line.clear();
+          }
       }
-    }
     scanner.read_line(tidy(line), first_number);
     return scanner.finish();
   }
@@ -223,28 +223,28 @@ namespace Waker
   {
     std::vector<PrmEntry> entries;
     for (const std::string &text : overrides)
-    {
-      const std::size_t equals       = text.find('=');
-      std::vector<std::string> names = split(text.substr(0, equals), '/');
-      const bool named               = !names.empty() && !names.back().empty();
-      if (equals == std::string::npos || !named)
-        throw UserError("--set " + tidy(text),
-                        "cannot read " + in_quotes(text),
-                        "--set \"Section/Name=value\"");
-      PrmEntry entry;
-      entry.name  = names.back();
-      entry.value = tidy(text.substr(equals + 1));
-      names.pop_back();
-      for (const std::string &name : names)
-        entry.section = parameter_path(entry.section, name);
-      entry.where = "--set " + entry.path();
-      for (const PrmEntry &other : entries)
-        if (other.path() == entry.path())
-          throw UserError(entry.where,
-                          in_quotes(entry.path()) + " is given twice",
-                          "each name once on the command line");
-      entries.push_back(entry);
-    }
+      {
+        const std::size_t        equals = text.find('=');
+        std::vector<std::string> names  = split(text.substr(0, equals), '/');
+        const bool named = !names.empty() && !names.back().empty();
+        if (equals == std::string::npos || !named)
+          throw UserError("--set " + tidy(text),
+                          "cannot read " + in_quotes(text),
+                          "--set \"Section/Name=value\"");
+        PrmEntry entry;
+        entry.name  = names.back();
+        entry.value = tidy(text.substr(equals + 1));
+        names.pop_back();
+        for (const std::string &name : names)
+          entry.section = parameter_path(entry.section, name);
+        entry.where = "--set " + entry.path();
+        for (const PrmEntry &other : entries)
+          if (other.path() == entry.path())
+            throw UserError(entry.where,
+                            in_quotes(entry.path()) + " is given twice",
+                            "each name once on the command line");
+        entries.push_back(entry);
+      }
     return entries;
   }
 } // namespace Waker

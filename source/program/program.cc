@@ -61,7 +61,7 @@ namespace Waker
 
     template <int dim>
     RunStatus
-    dispatch(const Command command,
+    dispatch(const Command     command,
              const Parameters &parameters,
              const RunOptions &options)
     {
@@ -77,22 +77,22 @@ namespace Waker
     compute(const CommandLine &line, const Parameters &parameters, char **argv)
     {
       // MPI and PETSc would read options that are ours: only the name.
-      int n_arguments  = 1;
-      char *name[]     = {argv[0], nullptr};
-      char **arguments = name;
+      int    n_arguments = 1;
+      char  *name[]      = {argv[0], nullptr};
+      char **arguments   = name;
       prepare_single_rank();
       const Utilities::MPI::MPI_InitFinalize mpi(n_arguments, arguments, 1);
       if (Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
-      {
-        if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) > 0)
-          return wrong_input;
-        throw UserError("command line",
-                        "started on " +
-                          std::to_string(
-                            Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD)) +
-                          " ranks",
-                        "one rank per realisation for now");
-      }
+        {
+          if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) > 0)
+            return wrong_input;
+          throw UserError("command line",
+                          "started on " +
+                            std::to_string(
+                              Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD)) +
+                            " ranks",
+                          "one rank per realisation for now");
+        }
 
       std::signal(SIGINT, note_signal);
       std::signal(SIGTERM, note_signal);
@@ -107,15 +107,15 @@ namespace Waker
           ? dispatch<2>(line.command, parameters, options)
           : dispatch<3>(line.command, parameters, options);
       switch (status)
-      {
-        case RunStatus::completed:
-          return success;
-        case RunStatus::numerical_failure:
-          return numerical_failure;
-        case RunStatus::interrupted:
-          return signal_offset +
-                 (received_signal != 0 ? received_signal : SIGINT);
-      }
+        {
+          case RunStatus::completed:
+            return success;
+          case RunStatus::numerical_failure:
+            return numerical_failure;
+          case RunStatus::interrupted:
+            return signal_offset +
+                   (received_signal != 0 ? received_signal : SIGINT);
+        }
       return internal_error;
     }
 
@@ -124,29 +124,29 @@ namespace Waker
     execute(const CommandLine &line, char **argv)
     {
       switch (line.command)
-      {
-        case Command::none:
-          std::cout << line.text;
-          return success;
-        case Command::parameters:
-          print_parameters(std::cout, line.format);
-          return success;
-        case Command::run:
-        case Command::strength_reduction:
         {
-          ParameterLocations locations;
-          const auto parameters =
-            read_parameters(line.file, line.overrides, &locations);
-          try
-          {
-            return compute(line, *parameters, argv);
-          }
-          catch (const UserError &error)
-          {
-            throw locations.located(error);
-          }
+          case Command::none:
+            std::cout << line.text;
+            return success;
+          case Command::parameters:
+            print_parameters(std::cout, line.format);
+            return success;
+          case Command::run:
+          case Command::strength_reduction:
+            {
+              ParameterLocations locations;
+              const auto         parameters =
+                read_parameters(line.file, line.overrides, &locations);
+              try
+                {
+                  return compute(line, *parameters, argv);
+                }
+              catch (const UserError &error)
+                {
+                  throw locations.located(error);
+                }
+            }
         }
-      }
       return internal_error;
     }
 
@@ -166,41 +166,41 @@ namespace Waker
   {
     deal_II_exceptions::suppress_stacktrace_in_exceptions();
     try
-    {
-      return execute(parse_command_line(argc, argv), argv);
-    }
+      {
+        return execute(parse_command_line(argc, argv), argv);
+      }
     catch (const UserError &error)
-    {
-      // tidy() makes one line of each.
-      std::cerr << tidy(error.where) << '\n'
-                << tidy(error.problem) << '\n'
-                << "allowed: " << tidy(error.allowed) << std::endl;
-      return wrong_input;
-    }
+      {
+        // tidy() makes one line of each.
+        std::cerr << tidy(error.where) << '\n'
+                  << tidy(error.problem) << '\n'
+                  << "allowed: " << tidy(error.allowed) << std::endl;
+        return wrong_input;
+      }
     catch (const NumericalFailure &error)
-    {
-      std::cerr << "numerical failure: " << tidy(error.what()) << std::endl;
-      return numerical_failure;
-    }
+      {
+        std::cerr << "numerical failure: " << tidy(error.what()) << std::endl;
+        return numerical_failure;
+      }
     catch (const std::bad_alloc &)
-    {
-      std::cerr << "waker: out of memory" << std::endl;
-      return internal_error;
-    }
+      {
+        std::cerr << "waker: out of memory" << std::endl;
+        return internal_error;
+      }
     catch (const ExceptionBase &error)
-    {
-      std::ostringstream text;
-      text << error.get_exc_name() << " ";
-      error.print_info(text);
-      return report_internal_error(text.str());
-    }
+      {
+        std::ostringstream text;
+        text << error.get_exc_name() << " ";
+        error.print_info(text);
+        return report_internal_error(text.str());
+      }
     catch (const std::exception &error)
-    {
-      return report_internal_error(error.what());
-    }
+      {
+        return report_internal_error(error.what());
+      }
     catch (...)
-    {
-      return report_internal_error("unknown exception");
-    }
+      {
+        return report_internal_error("unknown exception");
+      }
   }
 } // namespace Waker

@@ -17,18 +17,19 @@ namespace Waker
       std::vector<std::size_t> row(b.size() + 1);
       std::iota(row.begin(), row.end(), 0);
       for (std::size_t i = 0; i < a.size(); ++i)
-      {
-        std::size_t diagonal = row[0];
-        row[0]               = i + 1;
-        for (std::size_t j = 0; j < b.size(); ++j)
         {
-          const bool same = std::tolower(static_cast<unsigned char>(a[i])) ==
-                            std::tolower(static_cast<unsigned char>(b[j]));
-          const std::size_t replaced = diagonal + (same ? 0 : 1);
-          diagonal                   = row[j + 1];
-          row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+          std::size_t diagonal = row[0];
+          row[0]               = i + 1;
+          for (std::size_t j = 0; j < b.size(); ++j)
+            {
+              const bool same =
+                std::tolower(static_cast<unsigned char>(a[i])) ==
+                std::tolower(static_cast<unsigned char>(b[j]));
+              const std::size_t replaced = diagonal + (same ? 0 : 1);
+              diagonal                   = row[j + 1];
+              row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+            }
         }
-      }
       return row.back();
     }
 
@@ -45,23 +46,23 @@ namespace Waker
 
     /// Names of the entries and of the sections directly below `section`.
     void
-    children(const std::string &section,
+    children(const std::string                    &section,
              const std::vector<DeclaredParameter> &declared,
-             std::vector<std::string> &entries,
-             std::vector<std::string> &subsections)
+             std::vector<std::string>             &entries,
+             std::vector<std::string>             &subsections)
     {
       const std::string prefix = section.empty() ? "" : section + "/";
       for (const DeclaredParameter &parameter : declared)
         if (parameter.section == section)
           entries.push_back(parameter.name);
         else if (parameter.section.rfind(prefix, 0) == 0)
-        {
-          const std::string rest = parameter.section.substr(prefix.size());
-          const std::string name = rest.substr(0, rest.find('/'));
-          if (std::find(subsections.begin(), subsections.end(), name) ==
-              subsections.end())
-            subsections.push_back(name);
-        }
+          {
+            const std::string rest = parameter.section.substr(prefix.size());
+            const std::string name = rest.substr(0, rest.find('/'));
+            if (std::find(subsections.begin(), subsections.end(), name) ==
+                subsections.end())
+              subsections.push_back(name);
+          }
     }
 
 
@@ -82,26 +83,26 @@ namespace Waker
 
 
   std::string
-  nearest_name(const std::string &name,
+  nearest_name(const std::string              &name,
                const std::vector<std::string> &candidates)
   {
     std::string best;
     std::size_t least = std::max<std::size_t>(2, name.size() / 3) + 1;
     for (const std::string &candidate : candidates)
-    {
-      const std::size_t distance = edit_distance(name, candidate);
-      if (distance < least)
       {
-        least = distance;
-        best  = candidate;
+        const std::size_t distance = edit_distance(name, candidate);
+        if (distance < least)
+          {
+            least = distance;
+            best  = candidate;
+          }
       }
-    }
     return best;
   }
 
 
   void
-  check_section(const PrmSection &section,
+  check_section(const PrmSection                     &section,
                 const std::vector<DeclaredParameter> &declared)
   {
     const std::string above = parent(section.path);
@@ -116,7 +117,7 @@ namespace Waker
     const bool named = above == "Materials" || above == "Soil profile" ||
                        above == "Boundary conditions";
     const std::string best = nearest_name(name, subsections);
-    std::string allowed;
+    std::string       allowed;
     if (!best.empty())
       allowed = "did you mean " + in_quotes(best) + "? ";
     if (named)
@@ -135,7 +136,7 @@ namespace Waker
 
 
   const DeclaredParameter &
-  find_declared(const PrmEntry &entry,
+  find_declared(const PrmEntry                       &entry,
                 const std::vector<DeclaredParameter> &declared)
   {
     for (const DeclaredParameter &parameter : declared)
@@ -145,10 +146,10 @@ namespace Waker
     // On the command line the section may be wrong as well.
     std::string section;
     for (const std::string &name : split(entry.section, '/'))
-    {
-      section = parameter_path(section, name);
-      check_section({section, entry.where}, declared);
-    }
+      {
+        section = parameter_path(section, name);
+        check_section({section, entry.where}, declared);
+      }
 
     std::vector<std::string> entries, subsections;
     children(entry.section, declared, entries, subsections);

@@ -30,7 +30,7 @@ namespace Waker
       Materials materials;
       for (const MaterialParameters &material : parameters.materials)
         materials.push_back(
-          make_material(material, parameters.gravity.acceleration));
+          make_material(material, parameters.gravity.density_acceleration()));
       return materials;
     }
 
@@ -55,8 +55,8 @@ namespace Waker
            corner<dim>(p.grid.upper_corner),
            p.grid.cell_size,
            communicator)
-    , materials(given_materials.empty() ? make_materials(p) :
-                                          std::move(given_materials))
+    , materials(given_materials.empty() ? make_materials(p)
+                                        : std::move(given_materials))
     , fixities(grid, p.fixities)
     , full_node_mass(largest_density(materials) *
                      std::pow(p.grid.cell_size, dim))
@@ -95,9 +95,9 @@ namespace Waker
           {
             std::ostringstream message;
             message << "the gravity step stops at a residual of "
-                    << (gravity_report.residuals.empty() ?
-                          0. :
-                          gravity_report.residuals.back())
+                    << (gravity_report.residuals.empty()
+                          ? 0.
+                          : gravity_report.residuals.back())
                     << ", above Gravity/Tolerance "
                     << parameters.gravity.tolerance;
             throw NumericalFailure(message.str());
@@ -105,10 +105,9 @@ namespace Waker
       }
 
     // Newmark starts from the acceleration that fits the forces at t = 0.
-    const double ramp =
-      residual_ramp(0., parameters.time.ramp_duration);
+    const double       ramp = residual_ramp(0., parameters.time.ramp_duration);
     const Stencil<dim> stencil(grid);
-    NodalVector &      a = scene.nodes.acceleration;
+    NodalVector       &a = scene.nodes.acceleration;
     a                    = scene.nodes.external_force;
     if (parameters.gravity.initial_stress)
       a -= scene.nodes.internal_force;
@@ -126,9 +125,9 @@ namespace Waker
   template <int dim>
   Scene<dim>::Scene(const Case<dim> &the_case)
     : weights(the_case.grid,
-              the_case.parameters.mapping.functions == "GIMP" ?
-                ShapeFunctions::gimp :
-                ShapeFunctions::linear)
+              the_case.parameters.mapping.functions == "GIMP"
+                ? ShapeFunctions::gimp
+                : ShapeFunctions::linear)
     , nodes(the_case.grid)
     , proximity(the_case.grid,
                 the_case.parameters.surface,

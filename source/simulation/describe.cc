@@ -4,8 +4,8 @@
 #include <waker/mechanics/time_scheme.h>
 #include <waker/simulation/describe.h>
 
-#include <cstdio>
 #include <cmath>
+#include <cstdio>
 #include <numeric>
 
 namespace Waker
@@ -17,7 +17,8 @@ namespace Waker
     say(Log &log, const char *format, const Arguments... arguments)
     {
       char text[512];
-      std::snprintf(text, sizeof text, format, arguments...);
+      // The unused last argument keeps a format without arguments legal.
+      std::snprintf(text, sizeof text, format, arguments..., 0);
       log.line(text);
     }
 
@@ -28,9 +29,8 @@ namespace Waker
     double
     expected_memory(const std::size_t n_points, const std::size_t n_nodes)
     {
-      const double per_point =
-        8. * (4 + 7 * dim + 2 * 6 + 8 + 6 * dim) +
-        sizeof(typename StressUpdate<dim>::PointTangent);
+      const double per_point = 8. * (4 + 7 * dim + 2 * 6 + 8 + 6 * dim) +
+                               sizeof(typename StressUpdate<dim>::PointTangent);
       const double per_node = 8. * (2 + 20 * dim);
       return 1e-6 * (per_point * n_points + per_node * n_nodes);
     }
@@ -41,11 +41,12 @@ namespace Waker
   void
   describe_case(const Case<dim> &the_case, Log &log)
   {
-    const Parameters &         p      = the_case.parameters;
+    const Parameters          &p      = the_case.parameters;
     const MaterialPoints<dim> &points = the_case.initial_points;
     const double               h      = the_case.grid.cell_size();
 
-    say(log, "Waker %s: %s, %dD", WAKER_VERSION, p.output.directory.c_str(), dim);
+    say(
+      log, "Waker %s: %s, %dD", WAKER_VERSION, p.output.directory.c_str(), dim);
     say(log,
         "  grid      %u cells of %g m, %u nodes (margin included)",
         the_case.grid.n_cells(),
@@ -103,11 +104,11 @@ namespace Waker
 
   template <int dim>
   void
-  describe_result(const State<dim> & state,
+  describe_result(const State<dim>  &state,
                   const std::string &outcome,
                   const std::string &reason,
                   const double       wall_time,
-                  Log &              log)
+                  Log               &log)
   {
     const FailureRecord &f = state.failure;
     say(log, "Outcome: %s (%s)", outcome.c_str(), reason.c_str());
@@ -125,9 +126,9 @@ namespace Waker
         static_cast<unsigned long long>(state.newton_iterations),
         static_cast<unsigned long long>(state.unconverged_steps),
         wall_time,
-        state.step > 0 ?
-          1e6 * wall_time / (state.points.n_points() * state.step) :
-          0.);
+        state.step > 0
+          ? 1e6 * wall_time / (state.points.n_points() * state.step)
+          : 0.);
   }
 
 

@@ -19,10 +19,10 @@ namespace Waker
 
 
     void
-    check_length(const std::string &path,
+    check_length(const std::string         &path,
                  const std::vector<double> &values,
-                 const unsigned int length,
-                 const std::string &reason)
+                 const unsigned int         length,
+                 const std::string         &reason)
     {
       if (values.size() != length)
         throw UserError(path,
@@ -32,36 +32,36 @@ namespace Waker
 
 
     void
-    check_layer(const LayerParameters &layer,
+    check_layer(const LayerParameters                 &layer,
                 const std::vector<MaterialParameters> &materials,
-                const unsigned int dim)
+                const unsigned int                     dim)
     {
       const std::string path = "Soil profile/" + layer.name + "/";
-      std::string names;
-      bool known = false;
+      std::string       names;
+      bool              known = false;
       for (const MaterialParameters &material : materials)
-      {
-        known = known || material.name == layer.material;
-        names += (names.empty() ? "" : ", ") + material.name;
-      }
+        {
+          known = known || material.name == layer.material;
+          names += (names.empty() ? "" : ", ") + material.name;
+        }
       if (!known)
         throw UserError(path + "Material",
                         "there is no material \"" + layer.material + "\"",
                         "one of " + names);
 
       if (!layer.extent.empty())
-      {
-        if (dim == 2)
-          throw UserError(path + "Extent",
-                          "is given in two dimensions",
-                          "only with Dimension = 3");
-        check_length(path + "Extent", layer.extent, 2, "from z to z");
-        if (!(layer.extent[0] < layer.extent[1]))
-          throw UserError(path + "Extent",
-                          "reaches from " + number(layer.extent[0]) + " to " +
-                            number(layer.extent[1]) + " m",
-                          "the smaller number first");
-      }
+        {
+          if (dim == 2)
+            throw UserError(path + "Extent",
+                            "is given in two dimensions",
+                            "only with Dimension = 3");
+          check_length(path + "Extent", layer.extent, 2, "from z to z");
+          if (!(layer.extent[0] < layer.extent[1]))
+            throw UserError(path + "Extent",
+                            "reaches from " + number(layer.extent[0]) + " to " +
+                              number(layer.extent[1]) + " m",
+                            "the smaller number first");
+        }
       if (!layer.velocity.empty())
         check_length(path + "Velocity",
                      layer.velocity,
@@ -72,7 +72,7 @@ namespace Waker
 
 
     void
-    check_water(const WaterParameters &water,
+    check_water(const WaterParameters              &water,
                 const std::vector<LayerParameters> &layers)
     {
       if (water.side == "none")

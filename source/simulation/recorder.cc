@@ -10,7 +10,6 @@
 #include <boost/archive/binary_oarchive.hpp>
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
-
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -70,9 +69,8 @@ namespace Waker
     double
     next_multiple(const double t, const double interval)
     {
-      return interval > 0. ?
-               interval * (std::floor(t / interval + 1e-9) + 1.) :
-               std::numeric_limits<double>::infinity();
+      return interval > 0. ? interval * (std::floor(t / interval + 1e-9) + 1.)
+                           : std::numeric_limits<double>::infinity();
     }
 
 
@@ -94,8 +92,7 @@ namespace Waker
     , observers(standard_observers<dim>())
     , statistics(std::make_unique<Statistics>(
         join_path(parameters.output.directory, "statistics")))
-    , next_checkpoint(
-        next_multiple(0., parameters.output.checkpoint_interval))
+    , next_checkpoint(next_multiple(0., parameters.output.checkpoint_interval))
   {}
 
 
@@ -114,7 +111,7 @@ namespace Waker
       {
         std::istringstream              stream(checkpoint.blob);
         boost::archive::binary_iarchive archive(stream);
-        archive &                       progress;
+        archive                        &progress;
         state.read(progress.state);
       }
     catch (const std::exception &)
@@ -215,7 +212,7 @@ namespace Waker
     std::ostringstream bytes;
     {
       boost::archive::binary_oarchive archive(bytes);
-      archive &                       progress;
+      archive                        &progress;
     }
     slots.write(state.step, bytes.str());
   }
@@ -223,16 +220,15 @@ namespace Waker
 
   template <int dim>
   void
-  Recorder<dim>::write_summary(const State<dim> & state,
+  Recorder<dim>::write_summary(const State<dim>  &state,
                                const std::string &outcome,
                                const std::string &stop_reason,
                                const double       wall_time) const
   {
     Summary summary;
-    summary.outcome     = outcome;
-    summary.stop_reason = stop_reason;
-    summary.initial_failure_time =
-      time_or_nothing(state.failure.initial_time);
+    summary.outcome              = outcome;
+    summary.stop_reason          = stop_reason;
+    summary.initial_failure_time = time_or_nothing(state.failure.initial_time);
     summary.initial_failure_time_thesis =
       time_or_nothing(state.failure.initial_time_thesis);
     summary.flooding_time     = time_or_nothing(state.failure.flooding_time);
@@ -247,8 +243,7 @@ namespace Waker
     summary.particles         = state.points.n_points();
     summary.wall_time         = wall_time;
     summary.parameters_hash   = parameters->hash;
-    summary.write(
-      join_path(parameters->output.directory, "summary.json"));
+    summary.write(join_path(parameters->output.directory, "summary.json"));
   }
 
 

@@ -22,9 +22,9 @@ namespace Waker
     FolderMode
     folder_mode(const RunOptions &options)
     {
-      return options.resume    ? FolderMode::resume :
-             options.overwrite ? FolderMode::overwrite :
-                                 FolderMode::must_be_new;
+      return options.resume      ? FolderMode::resume
+             : options.overwrite ? FolderMode::overwrite
+                                 : FolderMode::must_be_new;
     }
 
 
@@ -38,9 +38,9 @@ namespace Waker
     std::string
     outcome(const FailureRecord &failure)
     {
-      return failure.flooded() ? "flooding" :
-             failure.failed()  ? "initial failure" :
-                                 "stable";
+      return failure.flooded()  ? "flooding"
+             : failure.failed() ? "initial failure"
+                                : "stable";
     }
 
 
@@ -48,7 +48,7 @@ namespace Waker
     void
     report_events(const FailureRecord &before,
                   const FailureRecord &now,
-                  Log &                log)
+                  Log                 &log)
     {
       char text[160];
       if (now.failed() && !before.failed())
@@ -78,20 +78,20 @@ namespace Waker
 
     template <int dim>
     RunStatus
-    loop(const Case<dim> & the_case,
+    loop(const Case<dim>  &the_case,
          const RunOptions &options,
          const bool        resumed,
-         State<dim> &      state,
-         Recorder<dim> &   recorder,
-         Log &             log)
+         State<dim>       &state,
+         Recorder<dim>    &recorder,
+         Log              &log)
     {
-      const auto   start    = std::chrono::steady_clock::now();
-      const double end_time = the_case.parameters.time.end_time;
+      const auto       start    = std::chrono::steady_clock::now();
+      const double     end_time = the_case.parameters.time.end_time;
       Realisation<dim> realisation(the_case, state);
 
       std::string   result, reason;
-      RunStatus     status  = RunStatus::completed;
-      bool          is_new  = !resumed; // this moment is not in the files yet
+      RunStatus     status = RunStatus::completed;
+      bool          is_new = !resumed; // this moment is not in the files yet
       std::uint64_t unconverged = state.unconverged_steps;
       try
         {
@@ -122,11 +122,11 @@ namespace Waker
 
               if (state.unconverged_steps > unconverged)
                 {
-                  log.line("t = " + std::to_string(state.time) + " s: " +
-                           std::to_string(state.unconverged_steps -
-                                          unconverged) +
-                           " unconverged attempt(s), dt = " +
-                           std::to_string(state.last_dt) + " s");
+                  log.line(
+                    "t = " + std::to_string(state.time) + " s: " +
+                    std::to_string(state.unconverged_steps - unconverged) +
+                    " unconverged attempt(s), dt = " +
+                    std::to_string(state.last_dt) + " s");
                   unconverged = state.unconverged_steps;
                 }
               if (log.progress_due())

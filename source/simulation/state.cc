@@ -7,7 +7,6 @@
 #include <boost/archive/binary_oarchive.hpp>
 #include <boost/serialization/binary_object.hpp>
 #include <boost/serialization/string.hpp>
-
 #include <sstream>
 
 namespace Waker
@@ -20,7 +19,7 @@ namespace Waker
     array(Archive &archive, std::vector<T> &values)
     {
       std::size_t n = values.size();
-      archive &   n;
+      archive    &n;
       values.resize(n);
       archive &boost::serialization::make_binary_object(values.data(),
                                                         n * sizeof(T));
@@ -32,17 +31,18 @@ namespace Waker
     all(Archive &archive, State<dim> &state)
     {
       std::size_t n_scalars = state.points.scalars.size();
-      archive &   n_scalars;
+      archive    &n_scalars;
       state.points.scalars.resize(n_scalars);
       for (NamedArray &scalar : state.points.scalars)
         archive &scalar.name;
-      MaterialPoints<dim>::for_each_array(
-        state.points,
-        [&](const char *, auto &values) { array(archive, values); });
-      archive &state.time &state.step &state.energy &state.failure &state.rest
-        &state.mean_plastic_strain &state.displacement_rate &state.last_dt
-          &state.halvings &state.steps_since_change &state.newton_iterations
-            &state.linear_iterations &state.unconverged_steps;
+      MaterialPoints<dim>::for_each_array(state.points,
+                                          [&](const char *, auto &values) {
+                                            array(archive, values);
+                                          });
+      archive &state.time &state.step &state.energy &state.failure &state
+        .rest &state.mean_plastic_strain &state.displacement_rate &state
+        .last_dt &state.halvings &state.steps_since_change &state
+        .newton_iterations &state.linear_iterations &state.unconverged_steps;
     }
   } // namespace
 
@@ -74,9 +74,9 @@ namespace Waker
   initial_state(const Case<dim> &the_case)
   {
     State<dim> state;
-    state.points                = the_case.initial_points;
-    state.energy.kinetic_start  = kinetic_energy(state.points);
-    state.energy.kinetic        = state.energy.kinetic_start;
+    state.points               = the_case.initial_points;
+    state.energy.kinetic_start = kinetic_energy(state.points);
+    state.energy.kinetic       = state.energy.kinetic_start;
     state.energy.elastic_start =
       elastic_energy(state.points, the_case.materials);
     state.energy.elastic = state.energy.elastic_start;

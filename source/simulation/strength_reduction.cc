@@ -8,13 +8,12 @@
 #include <waker/simulation/realisation.h>
 #include <waker/simulation/run.h>
 
-#include <nlohmann/json.hpp>
-
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 namespace Waker
@@ -119,10 +118,10 @@ namespace Waker
 
     template <int dim>
     Trial
-    try_factor(const Case<dim> & the_case,
+    try_factor(const Case<dim>  &the_case,
                const double      factor,
                const RunOptions &options,
-               Log &             log)
+               Log              &log)
     {
       State<dim> state = initial_state(the_case);
       for (const char *const name :
@@ -147,12 +146,13 @@ namespace Waker
                             factor,
                             state.time,
                             state.failure.geometry.width);
-              log.progress(state.time / the_case.parameters.time.end_time, text);
+              log.progress(state.time / the_case.parameters.time.end_time,
+                           text);
             }
         }
       log.end_progress();
-      trial.failed = state.failure.failed();
-      trial.time   = trial.failed ? state.failure.initial_time : state.time;
+      trial.failed  = state.failure.failed();
+      trial.time    = trial.failed ? state.failure.initial_time : state.time;
       trial.outcome = to_string(stop);
       return trial;
     }
@@ -160,10 +160,10 @@ namespace Waker
 
     template <int dim>
     RunStatus
-    search(const Case<dim> & the_case,
+    search(const Case<dim>  &the_case,
            const RunOptions &options,
-           Table &           table,
-           Log &             log)
+           Table            &table,
+           Log              &log)
     {
       const StrengthReductionParameters &p =
         the_case.parameters.strength_reduction;
@@ -185,28 +185,28 @@ namespace Waker
         return trial.failed;
       };
 
-      double stable = p.lower_factor, failed = p.upper_factor;
-      const bool lower_fails   = fails(stable);
-      const bool upper_fails   = lower_fails || fails(failed);
+      double     stable = p.lower_factor, failed = p.upper_factor;
+      const bool lower_fails = fails(stable);
+      const bool upper_fails = lower_fails || fails(failed);
       const bool has_bracket = !lower_fails && upper_fails;
       while (has_bracket && failed - stable > p.tolerance)
         {
-          const double middle = 0.5 * (stable + failed);
+          const double middle               = 0.5 * (stable + failed);
           (fails(middle) ? failed : stable) = middle;
         }
 
       nlohmann::ordered_json json;
       json["schema_version"] = 1;
       json["factor_of_safety"] =
-        has_bracket ? nlohmann::ordered_json(0.5 * (stable + failed)) :
-                      nlohmann::ordered_json();
+        has_bracket ? nlohmann::ordered_json(0.5 * (stable + failed))
+                    : nlohmann::ordered_json();
       json["highest_stable_factor"] =
-        lower_fails ? nlohmann::ordered_json() : nlohmann::ordered_json(
-                                                   upper_fails ? stable : failed);
+        lower_fails ? nlohmann::ordered_json()
+                    : nlohmann::ordered_json(upper_fails ? stable : failed);
       json["lowest_failed_factor"] =
-        lower_fails ? nlohmann::ordered_json(stable) :
-        upper_fails ? nlohmann::ordered_json(failed) :
-                      nlohmann::ordered_json();
+        lower_fails   ? nlohmann::ordered_json(stable)
+        : upper_fails ? nlohmann::ordered_json(failed)
+                      : nlohmann::ordered_json();
       json["trials"]          = table.size();
       json["parameters_hash"] = the_case.parameters.hash;
       json["version"]         = WAKER_VERSION;
@@ -241,9 +241,9 @@ namespace Waker
     parameters.stop.on_initial_failure = true;
 
     const std::string &directory = parameters.output.directory;
-    const FolderMode   mode      = options.resume    ? FolderMode::resume :
-                                   options.overwrite ? FolderMode::overwrite :
-                                                       FolderMode::must_be_new;
+    const FolderMode   mode      = options.resume      ? FolderMode::resume
+                                   : options.overwrite ? FolderMode::overwrite
+                                                       : FolderMode::must_be_new;
     check_output_folder(directory, mode);
     const Case<dim> the_case(parameters, communicator);
     if (the_case.initial_points.find_scalar("undrained shear strength") < 0)

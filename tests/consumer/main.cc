@@ -13,12 +13,12 @@ public:
 
   double
   update(const dealii::SymmetricTensor<2, 3> &strain_increment,
-         dealii::SymmetricTensor<2, 3> &stress,
-         double *variables,
-         dealii::SymmetricTensor<4, 3> *tangent) const override
+         dealii::SymmetricTensor<2, 3>       &stress,
+         double                              *variables,
+         dealii::SymmetricTensor<4, 3>       *tangent) const override
   {
     LinearElastic::update(strain_increment, stress, variables, tangent);
-    const auto one      = dealii::unit_symmetric_tensor<3>();
+    const auto   one    = dealii::unit_symmetric_tensor<3>();
     const double excess = trace(stress) / 3. - cap;
     if (excess <= 0.)
       return 0.;
@@ -35,7 +35,7 @@ public:
 int
 main()
 {
-  const TensionCap soil(1.5, 1000., 0.25);
+  const TensionCap                    soil(1.5, 1000., 0.25);
   const dealii::SymmetricTensor<2, 3> stretch =
     0.01 * dealii::unit_symmetric_tensor<3>();
 

@@ -11,7 +11,7 @@ namespace Waker
   TEST(Base, log_writes_to_screen_and_file)
   {
     const TemporaryFolder folder;
-    std::ostringstream screen;
+    std::ostringstream    screen;
     {
       Log log(screen, false);
       log.line("before");
@@ -35,7 +35,7 @@ namespace Waker
   TEST(Base, progress_on_a_terminal_is_one_line_that_gives_way_to_others)
   {
     std::ostringstream screen;
-    Log log(screen, true);
+    Log                log(screen, true);
     EXPECT_TRUE(log.progress_due());
     log.progress(0.5, "t = 1 s");
     EXPECT_EQ(screen.str(),
@@ -52,7 +52,7 @@ namespace Waker
   TEST(Base, progress_elsewhere_is_rare)
   {
     std::ostringstream screen;
-    Log log(screen, false);
+    Log                log(screen, false);
     for (unsigned int i = 0; i < 1000; ++i)
       log.progress(i / 1000., "step");
     EXPECT_EQ(screen.str(), "");

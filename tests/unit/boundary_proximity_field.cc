@@ -16,8 +16,8 @@ namespace
   template <int dim>
   void
   add_point(MaterialPoints<dim> &points,
-            const Point<dim> &x,
-            const double volume)
+            const Point<dim>    &x,
+            const double         volume)
   {
     points.id.push_back(points.id.size());
     points.position.push_back(x);
@@ -29,9 +29,9 @@ namespace
   MaterialPoints<2>
   lattice(const Point<2> &from,
           const Point<2> &to,
-          const double s,
+          const double    s,
           const Point<2> &offset,
-          const Inside &inside)
+          const Inside   &inside)
   {
     MaterialPoints<2> points;
     for (double y = from[1] + (0.5 + offset[1]) * s; y < to[1]; y += s)
@@ -44,7 +44,7 @@ namespace
   MaterialPoints<2>
   block(const Point<2> &from,
         const Point<2> &to,
-        const double s,
+        const double    s,
         const Point<2> &offset = Point<2>())
   {
     return lattice(from, to, s, offset, [](double, double) { return true; });
@@ -61,7 +61,7 @@ TEST(Boundary, flat_face_has_no_mean_offset)
   {
     double radius, inward, outward;
   };
-  const double h = 1.;
+  const double            h = 1.;
   const BackgroundGrid<2> grid(Point<2>(0, 0),
                                Point<2>(12, 8),
                                h,
@@ -70,43 +70,43 @@ TEST(Boundary, flat_face_has_no_mean_offset)
                              Reference{1., -0.095, 0.071},
                              Reference{1.5, -0.039, 0.039},
                              Reference{2., -0.022, 0.022}})
-  {
-    SurfaceParameters parameters;
-    parameters.kernel_radius = r.radius;
-    ProximityField<2> field(grid, parameters, bottom_face);
-
-    double sum = 0., lowest = 1., highest = -1.;
-    unsigned int n     = 0;
-    const int n_offset = 40;
-    for (int k = 0; k < n_offset * n_offset; ++k)
     {
-      const Point<2> shift((k % n_offset + 0.5) / n_offset,
-                           (k / n_offset + 0.5) / n_offset);
-      const double top = 5. + shift[1];
-      const auto points =
-        block(Point<2>(0.5, 0), Point<2>(11.5, top), 0.5 * h, 2. * shift);
-      ASSERT_NEAR(points.position.back()[1] + 0.25 * h, top, 1e-12);
+      SurfaceParameters parameters;
+      parameters.kernel_radius = r.radius;
+      ProximityField<2> field(grid, parameters, bottom_face);
 
-      const Surface surface = field.detect(points);
-      ASSERT_EQ(surface.chains.size(), 1u);
-      for (const Point<2> &v : surface.chains[0].vertices)
-        // crossings of vertical edges, away from the corners
-        if (v[1] > 2 && v[0] > 4.5 && v[0] < 8.5 &&
-            std::abs(v[0] - std::round(v[0])) < 1e-12)
+      double       sum = 0., lowest = 1., highest = -1.;
+      unsigned int n        = 0;
+      const int    n_offset = 40;
+      for (int k = 0; k < n_offset * n_offset; ++k)
         {
-          sum += v[1] - top;
-          lowest  = std::min(lowest, v[1] - top);
-          highest = std::max(highest, v[1] - top);
-          ++n;
+          const Point<2> shift((k % n_offset + 0.5) / n_offset,
+                               (k / n_offset + 0.5) / n_offset);
+          const double   top = 5. + shift[1];
+          const auto     points =
+            block(Point<2>(0.5, 0), Point<2>(11.5, top), 0.5 * h, 2. * shift);
+          ASSERT_NEAR(points.position.back()[1] + 0.25 * h, top, 1e-12);
+
+          const Surface surface = field.detect(points);
+          ASSERT_EQ(surface.chains.size(), 1u);
+          for (const Point<2> &v : surface.chains[0].vertices)
+            // crossings of vertical edges, away from the corners
+            if (v[1] > 2 && v[0] > 4.5 && v[0] < 8.5 &&
+                std::abs(v[0] - std::round(v[0])) < 1e-12)
+              {
+                sum += v[1] - top;
+                lowest  = std::min(lowest, v[1] - top);
+                highest = std::max(highest, v[1] - top);
+                ++n;
+              }
         }
+      ASSERT_GE(n, 4u * n_offset * n_offset);
+      RecordProperty("mean_offset_" + std::to_string(r.radius),
+                     std::to_string(sum / n));
+      EXPECT_NEAR(sum / n, 0., 0.005) << "radius " << r.radius;
+      EXPECT_NEAR(lowest, r.inward, 0.01) << "radius " << r.radius;
+      EXPECT_NEAR(highest, r.outward, 0.01) << "radius " << r.radius;
     }
-    ASSERT_GE(n, 4u * n_offset * n_offset);
-    RecordProperty("mean_offset_" + std::to_string(r.radius),
-                   std::to_string(sum / n));
-    EXPECT_NEAR(sum / n, 0., 0.005) << "radius " << r.radius;
-    EXPECT_NEAR(lowest, r.inward, 0.01) << "radius " << r.radius;
-    EXPECT_NEAR(highest, r.outward, 0.01) << "radius " << r.radius;
-  }
 }
 
 
@@ -115,36 +115,36 @@ TEST(Boundary, kernel_integrates_to_one)
 {
   // The sum of the nodal values times h^2 is a quadrature of the kernel; over
   // all offsets of the point in a cell its mean is the integral.
-  const double h = 0.25;
+  const double            h = 0.25;
   const BackgroundGrid<2> grid(Point<2>(-1, -1),
                                Point<2>(1, 1),
                                h,
                                MPI_COMM_SELF);
   for (const double radius : {0.5, 0.8, 1., 1.25, 2.})
-  {
-    SurfaceParameters parameters;
-    parameters.kernel_radius = radius;
-    ProximityField<2> field(grid, parameters, 0);
-    double sum  = 0;
-    const int n = 50;
-    for (int k = 0; k < n * n; ++k)
     {
-      MaterialPoints<2> points;
-      add_point(points,
-                Point<2>(h * (k % n + 0.5) / n, h * (k / n + 0.5) / n),
-                3.);
-      for (const double f : field.field(points))
-        sum += f * h * h;
+      SurfaceParameters parameters;
+      parameters.kernel_radius = radius;
+      ProximityField<2> field(grid, parameters, 0);
+      double            sum = 0;
+      const int         n   = 50;
+      for (int k = 0; k < n * n; ++k)
+        {
+          MaterialPoints<2> points;
+          add_point(points,
+                    Point<2>(h * (k % n + 0.5) / n, h * (k / n + 0.5) / n),
+                    3.);
+          for (const double f : field.field(points))
+            sum += f * h * h;
+        }
+      EXPECT_NEAR(sum / (n * n), 3., 3e-3) << "radius " << radius;
     }
-    EXPECT_NEAR(sum / (n * n), 3., 3e-3) << "radius " << radius;
-  }
 }
 
 
 
 TEST(Boundary, mirrored_base_does_not_halve_the_field)
 {
-  const double h = 0.25;
+  const double            h = 0.25;
   const BackgroundGrid<2> grid(Point<2>(0, 0),
                                Point<2>(8, 3),
                                h,
@@ -154,83 +154,83 @@ TEST(Boundary, mirrored_base_does_not_halve_the_field)
                                     h,
                                     MPI_COMM_SELF);
   for (const double radius : {0.75, 1., 1.6, 2.})
-  {
-    SurfaceParameters parameters;
-    parameters.kernel_radius = radius;
-    ProximityField<2> field(grid, parameters, bottom_face);
-    ProximityField<2> deep_field(deep_grid, parameters, 0);
+    {
+      SurfaceParameters parameters;
+      parameters.kernel_radius = radius;
+      ProximityField<2> field(grid, parameters, bottom_face);
+      ProximityField<2> deep_field(deep_grid, parameters, 0);
 
-    // The lattice goes on below the base: there the field is the same.
-    const auto points = block(Point<2>(1, 0), Point<2>(7, 2), h / 2);
-    const auto &f     = field.field(points);
-    const auto &deep =
-      deep_field.field(block(Point<2>(1, -2), Point<2>(7, 2), h / 2));
-    const unsigned int nx = grid.n_nodes_per_direction()[0];
-    for (unsigned int i = 0; i < nx; ++i)
-      for (unsigned int j = 1; j < 12; ++j)
-        ASSERT_NEAR(f[j * nx + i], deep[(j + 12) * nx + i], 1e-12);
+      // The lattice goes on below the base: there the field is the same.
+      const auto  points = block(Point<2>(1, 0), Point<2>(7, 2), h / 2);
+      const auto &f      = field.field(points);
+      const auto &deep =
+        deep_field.field(block(Point<2>(1, -2), Point<2>(7, 2), h / 2));
+      const unsigned int nx = grid.n_nodes_per_direction()[0];
+      for (unsigned int i = 0; i < nx; ++i)
+        for (unsigned int j = 1; j < 12; ++j)
+          ASSERT_NEAR(f[j * nx + i], deep[(j + 12) * nx + i], 1e-12);
 
-    // The sides meet the base, where they would without it: no inward curl.
-    const Surface surface = field.detect(points);
-    ASSERT_EQ(surface.chains.size(), 1u);
-    const SurfaceChain &chain = surface.chains[0];
-    unsigned int n_bases      = 0;
-    for (std::size_t k = 0; k < chain.vertices.size(); ++k)
-      if (chain.on_face[k] >= 0)
-      {
-        ++n_bases;
-        EXPECT_EQ(chain.on_face[k], 2);
-        const Point<2> &a = chain.vertices[k];
-        const Point<2> &b = chain.vertices[(k + 1) % chain.vertices.size()];
-        EXPECT_EQ(a[1], 0.);
-        EXPECT_EQ(b[1], 0.);
-        EXPECT_NEAR(a[0], 1., 0.15 * h);
-        EXPECT_NEAR(b[0], 7., 0.15 * h);
-        // The next vertex up, half-way to the top, is above.
-        for (const Point<2> &v : chain.vertices)
-          if (v[1] < 1. && v[0] < 4)
+      // The sides meet the base, where they would without it: no inward curl.
+      const Surface surface = field.detect(points);
+      ASSERT_EQ(surface.chains.size(), 1u);
+      const SurfaceChain &chain   = surface.chains[0];
+      unsigned int        n_bases = 0;
+      for (std::size_t k = 0; k < chain.vertices.size(); ++k)
+        if (chain.on_face[k] >= 0)
           {
-            EXPECT_NEAR(v[0], a[0], 1e-12);
+            ++n_bases;
+            EXPECT_EQ(chain.on_face[k], 2);
+            const Point<2> &a = chain.vertices[k];
+            const Point<2> &b = chain.vertices[(k + 1) % chain.vertices.size()];
+            EXPECT_EQ(a[1], 0.);
+            EXPECT_EQ(b[1], 0.);
+            EXPECT_NEAR(a[0], 1., 0.15 * h);
+            EXPECT_NEAR(b[0], 7., 0.15 * h);
+            // The next vertex up, half-way to the top, is above.
+            for (const Point<2> &v : chain.vertices)
+              if (v[1] < 1. && v[0] < 4)
+                {
+                  EXPECT_NEAR(v[0], a[0], 1e-12);
+                }
           }
-      }
-    EXPECT_EQ(n_bases, 1u);
-    // Two corners are rounded.
-    EXPECT_NEAR(chain.area(), 12., 0.2 * h * 10);
+      EXPECT_EQ(n_bases, 1u);
+      // Two corners are rounded.
+      EXPECT_NEAR(chain.area(), 12., 0.2 * h * 10);
 
-    parameters.mirror = false;
-    ProximityField<2> halved(grid, parameters, bottom_face);
-    const auto &half = halved.field(points);
-    EXPECT_NEAR(half[nx + nx / 2] / f[nx + nx / 2], 0.5, 1e-12);
-  }
+      parameters.mirror = false;
+      ProximityField<2> halved(grid, parameters, bottom_face);
+      const auto       &half = halved.field(points);
+      EXPECT_NEAR(half[nx + nx / 2] / f[nx + nx / 2], 0.5, 1e-12);
+    }
 }
 
 
 
 TEST(Boundary, corner_of_two_closed_faces_is_filled)
 {
-  const double h = 0.5;
+  const double            h = 0.5;
   const BackgroundGrid<2> grid(Point<2>(0, 0),
                                Point<2>(5, 5),
                                h,
                                MPI_COMM_SELF);
-  ProximityField<2> field(grid, SurfaceParameters(), 1u | bottom_face);
-  const auto points     = block(Point<2>(0, 0), Point<2>(3, 2), h / 2);
-  const Surface surface = field.detect(points);
+  ProximityField<2>       field(grid, SurfaceParameters(), 1u | bottom_face);
+  const auto              points = block(Point<2>(0, 0), Point<2>(3, 2), h / 2);
+  const Surface           surface = field.detect(points);
   ASSERT_EQ(surface.chains.size(), 1u);
   const SurfaceChain &chain = surface.chains[0];
-  bool left = false, bottom = false, corner = false;
+  bool                left = false, bottom = false, corner = false;
   for (std::size_t k = 0; k < chain.vertices.size(); ++k)
-  {
-    left   = left || chain.on_face[k] == 0;
-    bottom = bottom || chain.on_face[k] == 2;
-    corner = corner || chain.vertices[k] == Point<2>(0, 0);
-  }
+    {
+      left   = left || chain.on_face[k] == 0;
+      bottom = bottom || chain.on_face[k] == 2;
+      corner = corner || chain.vertices[k] == Point<2>(0, 0);
+    }
   EXPECT_TRUE(left && bottom && corner);
   EXPECT_NEAR(chain.area(), 6., 0.3);
 
   // The field at the corner (node 1, 1) is that inside, 5 cells up.
   ProximityField<2> inner(grid, SurfaceParameters(), 0);
-  const double corner_value = field.field(points)[14];
+  const double      corner_value = field.field(points)[14];
   EXPECT_NEAR(corner_value,
               inner.field(block(Point<2>(1, 1), Point<2>(4, 4), h / 2))[6 * 14],
               1e-12);
@@ -240,12 +240,12 @@ TEST(Boundary, corner_of_two_closed_faces_is_filled)
 
 TEST(Boundary, chains_are_closed_oriented_and_sorted)
 {
-  const double h = 0.25;
+  const double            h = 0.25;
   const BackgroundGrid<2> grid(Point<2>(0, 0),
                                Point<2>(12, 6),
                                h,
                                MPI_COMM_SELF);
-  ProximityField<2> field(grid, SurfaceParameters(), bottom_face);
+  ProximityField<2>       field(grid, SurfaceParameters(), bottom_face);
 
   // A small block, a large one with a hole, and a disc that floats.
   const auto points =
@@ -269,19 +269,19 @@ TEST(Boundary, chains_are_closed_oriented_and_sorted)
   EXPECT_NEAR(surface.chains[2].area(), 3., 0.1);
   EXPECT_NEAR(surface.chains[3].area(), -2.25, 0.2);
   for (const SurfaceChain &chain : surface.chains)
-  {
-    ASSERT_EQ(chain.on_face.size(), chain.vertices.size());
-    for (std::size_t k = 0; k < chain.vertices.size(); ++k)
     {
-      const Point<2> &a = chain.vertices[k];
-      const Point<2> &b = chain.vertices[(k + 1) % chain.vertices.size()];
-      EXPECT_GT(a.distance(b), 1e-9 * h);
-      if (chain.on_face[k] < 0)
-      {
-        EXPECT_LT(a.distance(b), 1.4143 * h); // within one cell
-      }
+      ASSERT_EQ(chain.on_face.size(), chain.vertices.size());
+      for (std::size_t k = 0; k < chain.vertices.size(); ++k)
+        {
+          const Point<2> &a = chain.vertices[k];
+          const Point<2> &b = chain.vertices[(k + 1) % chain.vertices.size()];
+          EXPECT_GT(a.distance(b), 1e-9 * h);
+          if (chain.on_face[k] < 0)
+            {
+              EXPECT_LT(a.distance(b), 1.4143 * h); // within one cell
+            }
+        }
     }
-  }
 
   // Nothing: no surface.
   field.detect(MaterialPoints<2>(), surface);
@@ -296,8 +296,8 @@ TEST(Boundary, body_in_the_margin_closes)
                                Point<2>(4, 4),
                                0.25,
                                MPI_COMM_SELF);
-  ProximityField<2> field(grid, SurfaceParameters(), 0);
-  const auto points     = block(Point<2>(-0.25, 1), Point<2>(2, 3), 0.125);
+  ProximityField<2>       field(grid, SurfaceParameters(), 0);
+  const auto    points  = block(Point<2>(-0.25, 1), Point<2>(2, 3), 0.125);
   const Surface surface = field.detect(points);
   ASSERT_EQ(surface.chains.size(), 1u);
   EXPECT_NEAR(surface.chains[0].area(), 4.5, 0.15);
@@ -309,7 +309,7 @@ TEST(Boundary, body_in_the_margin_closes)
 
 TEST(Boundary, slice_in_3d_has_the_field_of_2d)
 {
-  const double h = 0.5;
+  const double            h = 0.5;
   const BackgroundGrid<2> grid_2(Point<2>(0, 0),
                                  Point<2>(5, 3),
                                  h,
@@ -318,10 +318,10 @@ TEST(Boundary, slice_in_3d_has_the_field_of_2d)
                                  Point<3>(5, 3, 2.5),
                                  h,
                                  MPI_COMM_SELF);
-  ProximityField<2> field_2(grid_2, SurfaceParameters(), bottom_face);
+  ProximityField<2>       field_2(grid_2, SurfaceParameters(), bottom_face);
   ProximityField<3> field_3(grid_3, SurfaceParameters(), bottom_face | 48u);
 
-  const auto points_2 = block(Point<2>(1, 0), Point<2>(4, 2), h / 2);
+  const auto        points_2 = block(Point<2>(1, 0), Point<2>(4, 2), h / 2);
   MaterialPoints<3> points_3;
   for (int k = 0; k < 6; ++k)
     for (std::size_t p = 0; p < points_2.n_points(); ++p)
@@ -346,7 +346,7 @@ TEST(Boundary, slice_in_3d_has_the_field_of_2d)
 TEST(Boundary, parameters_of_the_surface_are_read)
 {
   SurfaceParameters parameters;
-  ParameterHandler prm;
+  ParameterHandler  prm;
   parameters.add_parameters(prm);
   prm.parse_input_from_string("set Kernel radius = 1.5\nset Threshold = 0.4\n"
                               "set Mirror = false\n");

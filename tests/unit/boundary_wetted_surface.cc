@@ -16,14 +16,14 @@ namespace
   {
     WaterResultant sum;
     for (unsigned int i = 0; i < grid.n_nodes(); ++i)
-    {
-      const Point<2> x = grid.node_position(i);
-      const double fx  = force.begin()[2 * i];
-      const double fy  = force.begin()[2 * i + 1];
-      sum.force[0] += fx;
-      sum.force[1] += fy;
-      sum.moment += x[0] * fy - x[1] * fx;
-    }
+      {
+        const Point<2> x  = grid.node_position(i);
+        const double   fx = force.begin()[2 * i];
+        const double   fy = force.begin()[2 * i + 1];
+        sum.force[0] += fx;
+        sum.force[1] += fy;
+        sum.moment += x[0] * fy - x[1] * fx;
+      }
     return sum;
   }
 
@@ -51,12 +51,12 @@ namespace
 
 TEST(Boundary, water_on_a_vertical_wall_is_hydrostatic)
 {
-  const double h = 0.5;
+  const double            h = 0.5;
   const BackgroundGrid<2> grid(Point<2>(0, 0),
                                Point<2>(6, 5),
                                h,
                                MPI_COMM_SELF);
-  WaterLoad<2> load(grid, water("left", 3.));
+  WaterLoad<2>            load(grid, water("left", 3.));
   load.find_wetted_segments(rectangle(Point<2>(2, 0), Point<2>(5, 4)));
   ASSERT_EQ(load.wetted_segments().size(), 1u);
   EXPECT_EQ(load.wetted_segments()[0].normal[0], -1.);
@@ -66,7 +66,7 @@ TEST(Boundary, water_on_a_vertical_wall_is_hydrostatic)
   load.add_nodal_forces(std::vector<double>(grid.n_nodes(), 1.), 1., force);
 
   const WaterResultant exact = load.resultant();
-  const double total         = 9.81 * 9. / 2;
+  const double         total = 9.81 * 9. / 2;
   EXPECT_NEAR(exact.force[0], total, 1e-12);
   EXPECT_NEAR(exact.force[1], 0., 1e-12);
   EXPECT_NEAR(exact.moment, -total * 1., 1e-12);
@@ -76,18 +76,18 @@ TEST(Boundary, water_on_a_vertical_wall_is_hydrostatic)
 
   // Consistent nodal forces of a linear pressure: h p between the ends.
   for (unsigned int i = 0; i < grid.n_nodes(); ++i)
-  {
-    const Point<2> x = grid.node_position(i);
-    const double fx  = force.begin()[2 * i];
-    if (std::abs(x[0] - 2) > 1e-12 || x[1] < 0 || x[1] > 3)
     {
-      EXPECT_NEAR(fx, 0., 1e-12);
+      const Point<2> x  = grid.node_position(i);
+      const double   fx = force.begin()[2 * i];
+      if (std::abs(x[0] - 2) > 1e-12 || x[1] < 0 || x[1] > 3)
+        {
+          EXPECT_NEAR(fx, 0., 1e-12);
+        }
+      else if (x[1] > 0 && x[1] < 3)
+        {
+          EXPECT_NEAR(fx, 9.81 * h * (3 - x[1]), 1e-12);
+        }
     }
-    else if (x[1] > 0 && x[1] < 3)
-    {
-      EXPECT_NEAR(fx, 9.81 * h * (3 - x[1]), 1e-12);
-    }
-  }
 
   // On the other side it pushes the other way.
   WaterLoad<2> right(grid, water("right", 3.));
@@ -115,7 +115,7 @@ TEST(Boundary, water_walks_from_the_toe_to_the_level)
                            Point<2>(4, 3)};
   chain.on_face         = {2, -1, -1, -1, -1, -1};
   const Surface surface = {{chain}};
-  const auto n_wet      = [&](const std::string &side, const double level) {
+  const auto    n_wet   = [&](const std::string &side, const double level) {
     WaterLoad<2> load(grid, water(side, level));
     load.find_wetted_segments(surface);
     return load.wetted_segments().size();
@@ -156,7 +156,7 @@ TEST(Boundary, water_walks_from_the_toe_to_the_level)
 
 TEST(Boundary, parameters_of_the_water_are_read)
 {
-  WaterParameters parameters;
+  WaterParameters  parameters;
   ParameterHandler prm;
   parameters.add_parameters(prm);
   prm.parse_input_from_string("set Side = right\nset Level = -1.5\n"

@@ -42,13 +42,13 @@ namespace
   where_it_fails(const BackgroundGrid<dim> &grid, const FixityParameters &f)
   {
     try
-    {
-      const Fixities<dim> fixities(grid, {f});
-    }
+      {
+        const Fixities<dim> fixities(grid, {f});
+      }
     catch (const UserError &e)
-    {
-      return e.where;
-    }
+      {
+        return e.where;
+      }
     return "";
   }
 } // namespace
@@ -56,7 +56,7 @@ namespace
 
 TEST(Nodes, fixed_base_holds_the_margin)
 {
-  const auto grid = small_grid();
+  const auto        grid = small_grid();
   const Fixities<2> fixities(grid, {fixity("bottom")});
   ASSERT_EQ(fixities.removed().size(), grid.n_dofs());
   for (unsigned int n = 0; n < grid.n_nodes(); ++n)
@@ -78,33 +78,34 @@ TEST(Nodes, fixed_base_holds_the_margin)
 
 TEST(Nodes, roller_holds_the_normal_component)
 {
-  const auto grid = small_grid();
+  const auto        grid = small_grid();
   const Fixities<2> fixities(grid,
                              {fixity("right", "roller"),
                               fixity("top", "roller")});
   for (unsigned int n = 0; n < grid.n_nodes(); ++n)
-  {
-    EXPECT_EQ(fixities.removed()[2 * n] == 1, grid.node_position(n)[0] > 2.75);
-    EXPECT_EQ(fixities.removed()[2 * n + 1] == 1,
-              grid.node_position(n)[1] > 1.25);
-  }
+    {
+      EXPECT_EQ(fixities.removed()[2 * n] == 1,
+                grid.node_position(n)[0] > 2.75);
+      EXPECT_EQ(fixities.removed()[2 * n + 1] == 1,
+                grid.node_position(n)[1] > 1.25);
+    }
   EXPECT_EQ(fixities.closed_faces(), 2u | 8u);
 }
 
 
 TEST(Nodes, part_of_a_face)
 {
-  const auto grid    = small_grid();
-  FixityParameters f = fixity("bottom");
-  f.from             = {1.5 + 1e-8, 0.4}; // y does not count
-  f.to               = {2.5 - 1e-8, 1.};
+  const auto       grid = small_grid();
+  FixityParameters f    = fixity("bottom");
+  f.from                = {1.5 + 1e-8, 0.4}; // y does not count
+  f.to                  = {2.5 - 1e-8, 1.};
   const Fixities<2> fixities(grid, {f});
   for (unsigned int n = 0; n < grid.n_nodes(); ++n)
-  {
-    const Point<2> x = grid.node_position(n);
-    EXPECT_EQ(fixities.removed()[2 * n] == 1,
-              x[1] < 0.25 && x[0] > 1.25 && x[0] < 2.75);
-  }
+    {
+      const Point<2> x = grid.node_position(n);
+      EXPECT_EQ(fixities.removed()[2 * n] == 1,
+                x[1] < 0.25 && x[0] > 1.25 && x[0] < 2.75);
+    }
   EXPECT_EQ(fixities.closed_faces(), 0u);
 
   // Both parts together close the face; the margin beside it need not be held.
@@ -121,10 +122,10 @@ TEST(Nodes, part_of_a_face)
 
 TEST(Nodes, box_of_nodes)
 {
-  const auto grid    = small_grid();
-  FixityParameters f = fixity("box");
-  f.from             = {1.5, 0.5};
-  f.to               = {2., 0.6};
+  const auto       grid = small_grid();
+  FixityParameters f    = fixity("box");
+  f.from                = {1.5, 0.5};
+  f.to                  = {2., 0.6};
   const Fixities<2> fixities(grid, {f});
   ASSERT_EQ(fixities.removed_list().size(), 4u);
   EXPECT_LT(grid.node_position(fixities.removed_list()[0] / 2)
@@ -142,27 +143,27 @@ TEST(Nodes, faces_in_3d)
                                Point<3>(2., 2., 1.),
                                1.,
                                MPI_COMM_SELF);
-  const Fixities<3> fixities(grid,
+  const Fixities<3>       fixities(grid,
                              {fixity("bottom"),
-                              fixity("back", "roller"),
-                              fixity("front", "roller"),
-                              fixity("left", "roller")});
+                                    fixity("back", "roller"),
+                                    fixity("front", "roller"),
+                                    fixity("left", "roller")});
   for (unsigned int n = 0; n < grid.n_nodes(); ++n)
-  {
-    const Point<3> x = grid.node_position(n);
-    const bool base  = x[1] < 0.5;
-    EXPECT_EQ(fixities.removed()[3 * n] == 1, base || x[0] < 0.5);
-    EXPECT_EQ(fixities.removed()[3 * n + 1] == 1, base);
-    EXPECT_EQ(fixities.removed()[3 * n + 2] == 1,
-              base || x[2] < 0.5 || x[2] > 0.5);
-  }
+    {
+      const Point<3> x    = grid.node_position(n);
+      const bool     base = x[1] < 0.5;
+      EXPECT_EQ(fixities.removed()[3 * n] == 1, base || x[0] < 0.5);
+      EXPECT_EQ(fixities.removed()[3 * n + 1] == 1, base);
+      EXPECT_EQ(fixities.removed()[3 * n + 2] == 1,
+                base || x[2] < 0.5 || x[2] > 0.5);
+    }
   EXPECT_EQ(fixities.closed_faces(), 1u | 4u | 16u | 32u);
 }
 
 
 TEST(Nodes, penalty_gives_way_to_elimination)
 {
-  const auto grid         = small_grid();
+  const auto       grid   = small_grid();
   FixityParameters spring = fixity("left", "prescribed", "0.1*t; free");
   spring.method           = "penalty";
   spring.penalty_factor   = 500.;
@@ -170,14 +171,14 @@ TEST(Nodes, penalty_gives_way_to_elimination)
   // Two columns of 6 nodes, less the two rows of the base.
   ASSERT_EQ(fixities.penalties().size(), 8u);
   for (const auto &p : fixities.penalties())
-  {
-    EXPECT_EQ(p.factor, 500.);
-    EXPECT_EQ(p.dof % 2, 0u);
-    EXPECT_EQ(fixities.removed()[p.dof], 0);
-    const Point<2> x = grid.node_position(p.dof / 2);
-    EXPECT_LT(x[0], 1.25);
-    EXPECT_GT(x[1], 0.25);
-  }
+    {
+      EXPECT_EQ(p.factor, 500.);
+      EXPECT_EQ(p.dof % 2, 0u);
+      EXPECT_EQ(fixities.removed()[p.dof], 0);
+      const Point<2> x = grid.node_position(p.dof / 2);
+      EXPECT_LT(x[0], 1.25);
+      EXPECT_GT(x[1], 0.25);
+    }
   EXPECT_EQ(fixities.closed_faces(), 4u);
   EXPECT_TRUE(fixities.has_prescribed_motion());
 
@@ -193,48 +194,48 @@ TEST(Nodes, penalty_gives_way_to_elimination)
 
 TEST(Nodes, prescribed_increments_follow_the_expression)
 {
-  const auto grid = small_grid();
+  const auto        grid = small_grid();
   const Fixities<2> fixities(
     grid,
     {fixity("bottom"), fixity("top", "prescribed", "x*sin(pi*t); t^2 + y*t")});
   EXPECT_TRUE(fixities.has_prescribed_motion());
   EXPECT_EQ(fixities.closed_faces(), 4u); // the top moves
 
-  const double t = 0.3, dt = 0.2;
+  const double        t = 0.3, dt = 0.2;
   std::vector<double> increments;
   fixities.removed_increments(t, dt, increments);
   ASSERT_EQ(increments.size(), fixities.removed_list().size());
   for (unsigned int i = 0; i < increments.size(); ++i)
-  {
-    const unsigned int dof = fixities.removed_list()[i];
-    const Point<2> x       = grid.node_position(dof / 2);
-    double u               = 0.;
-    if (x[1] > 1.25 && dof % 2 == 0)
-      u = x[0] * (std::sin(M_PI * (t + dt)) - std::sin(M_PI * t));
-    if (x[1] > 1.25 && dof % 2 == 1)
-      u = (t + dt) * (t + dt) - t * t + x[1] * dt;
-    EXPECT_NEAR(increments[i], u, 1e-14);
-  }
+    {
+      const unsigned int dof = fixities.removed_list()[i];
+      const Point<2>     x   = grid.node_position(dof / 2);
+      double             u   = 0.;
+      if (x[1] > 1.25 && dof % 2 == 0)
+        u = x[0] * (std::sin(M_PI * (t + dt)) - std::sin(M_PI * t));
+      if (x[1] > 1.25 && dof % 2 == 1)
+        u = (t + dt) * (t + dt) - t * t + x[1] * dt;
+      EXPECT_NEAR(increments[i], u, 1e-14);
+    }
 }
 
 
 TEST(Nodes, later_condition_wins)
 {
-  const auto grid             = small_grid();
+  const auto             grid = small_grid();
   const FixityParameters slow = fixity("left", "prescribed", "t; 0");
   const FixityParameters fast = fixity("bottom", "prescribed", "2*t; 3*t");
-  Fixities<2> first(grid, {fast, slow});
-  const Fixities<2> fixities(std::move(first));
-  std::vector<double> increments;
+  Fixities<2>            first(grid, {fast, slow});
+  const Fixities<2>      fixities(std::move(first));
+  std::vector<double>    increments;
   fixities.removed_increments(0., 1., increments);
   for (unsigned int i = 0; i < increments.size(); ++i)
-  {
-    const unsigned int dof = fixities.removed_list()[i];
-    const bool left        = grid.node_position(dof / 2)[0] < 1.25;
-    EXPECT_NEAR(increments[i],
-                left ? (dof % 2 ? 0. : 1.) : (dof % 2 ? 3. : 2.),
-                1e-15);
-  }
+    {
+      const unsigned int dof  = fixities.removed_list()[i];
+      const bool         left = grid.node_position(dof / 2)[0] < 1.25;
+      EXPECT_NEAR(increments[i],
+                  left ? (dof % 2 ? 0. : 1.) : (dof % 2 ? 3. : 2.),
+                  1e-15);
+    }
 
   // A displacement that never changes is no motion, and closes a face.
   const Fixities<2> still(grid, {fixity("left", "prescribed", "0; free")});
@@ -245,9 +246,9 @@ TEST(Nodes, later_condition_wins)
 
 TEST(Nodes, bad_fixities_are_named)
 {
-  const auto grid        = small_grid();
+  const auto        grid = small_grid();
   const std::string path = "Boundary conditions/base";
-  const auto bad         = [&](const FixityParameters &f) {
+  const auto        bad  = [&](const FixityParameters &f) {
     return where_it_fails(grid, f);
   };
   EXPECT_EQ(bad(fixity("bottom")), "");
@@ -267,11 +268,11 @@ TEST(Nodes, bad_fixities_are_named)
                                    "t; speed*t",
                                    "0.1; free", // never reached from 0
                                    "0/0*t; free"})
-  {
-    EXPECT_EQ(bad(fixity("left", "prescribed", displacement)),
-              path + "/Displacement")
-      << displacement;
-  }
+    {
+      EXPECT_EQ(bad(fixity("left", "prescribed", displacement)),
+                path + "/Displacement")
+        << displacement;
+    }
 
   FixityParameters f = fixity("left");
   f.method           = "glue";
@@ -294,7 +295,7 @@ TEST(Nodes, bad_fixities_are_named)
 TEST(Nodes, fixity_parameters_are_read)
 {
   dealii::ParameterHandler prm;
-  FixityParameters f;
+  FixityParameters         f;
   f.add_parameters(prm);
   prm.parse_input_from_string("set Region = right\n"
                               "set From = 0, 1\n"

@@ -127,11 +127,11 @@ TEST(Observers, dyke_width_is_a_sum_of_parts)
 
   // The same from the right.
   for (SurfaceChain &chain : surface.chains)
-  {
-    std::reverse(chain.vertices.begin(), chain.vertices.end());
-    for (Point<2> &v : chain.vertices)
-      v[0] = -v[0];
-  }
+    {
+      std::reverse(chain.vertices.begin(), chain.vertices.end());
+      for (Point<2> &v : chain.vertices)
+        v[0] = -v[0];
+    }
   const DykeGeometry mirrored = measure_dyke(surface, 2.);
   ASSERT_EQ(mirrored.parts.size(), 4u);
   EXPECT_EQ(mirrored.parts[0][0], -30.);

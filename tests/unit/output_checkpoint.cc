@@ -27,14 +27,14 @@ namespace Waker
     {
       std::string warning;
       try
-      {
-        CheckpointSlots(folder, hash).read_latest(warning);
-      }
+        {
+          CheckpointSlots(folder, hash).read_latest(warning);
+        }
       catch (const UserError &error)
-      {
-        EXPECT_EQ(error.where, "Output/Directory");
-        return error.problem;
-      }
+        {
+          EXPECT_EQ(error.where, "Output/Directory");
+          return error.problem;
+        }
       return "";
     }
 
@@ -51,10 +51,10 @@ namespace Waker
   TEST(Output, checkpoint_comes_back_as_it_was)
   {
     const TemporaryFolder folder;
-    const std::string blob = make_blob(10000);
+    const std::string     blob = make_blob(10000);
     CheckpointSlots(folder.path, hash).write(123456789012, blob);
 
-    std::string warning = "left over";
+    std::string      warning = "left over";
     const Checkpoint read =
       CheckpointSlots(folder.path, hash).read_latest(warning);
     EXPECT_EQ(read.step, 123456789012u);
@@ -68,7 +68,7 @@ namespace Waker
   TEST(Output, checkpoints_alternate_also_after_a_resume)
   {
     const TemporaryFolder folder;
-    std::string warning;
+    std::string           warning;
     {
       CheckpointSlots slots(folder.path, hash);
       for (const unsigned int step : {10, 20, 30})
@@ -90,7 +90,7 @@ namespace Waker
   TEST(Output, damaged_checkpoint_falls_back_to_the_older_one)
   {
     const TemporaryFolder folder;
-    CheckpointSlots slots(folder.path, hash);
+    CheckpointSlots       slots(folder.path, hash);
     slots.write(10, make_blob(100));
     slots.write(20, make_blob(200));
     const std::string newest = slots.slot_path(1);
@@ -100,18 +100,18 @@ namespace Waker
     for (std::size_t at = 0; at < whole.size(); ++at)
       for (const std::string &damaged :
            {flip_byte(whole, at), whole.substr(0, at)})
-      {
-        put(newest, damaged);
-        std::string warning;
-        const Checkpoint read =
-          CheckpointSlots(folder.path, hash).read_latest(warning);
-        ASSERT_EQ(read.step, 10u) << "byte " << at;
-        ASSERT_EQ(read.blob, make_blob(100));
-        ASSERT_NE(warning.find(newest), std::string::npos);
-      }
+        {
+          put(newest, damaged);
+          std::string      warning;
+          const Checkpoint read =
+            CheckpointSlots(folder.path, hash).read_latest(warning);
+          ASSERT_EQ(read.step, 10u) << "byte " << at;
+          ASSERT_EQ(read.blob, make_blob(100));
+          ASSERT_NE(warning.find(newest), std::string::npos);
+        }
 
     // The next checkpoint must not overwrite the only good one.
-    std::string warning;
+    std::string     warning;
     CheckpointSlots resumed(folder.path, hash);
     resumed.read_latest(warning);
     resumed.write(15, "new");
@@ -149,14 +149,14 @@ namespace Waker
   TEST(Output, checkpoint_of_schema_version_1_can_be_read)
   {
     const TemporaryFolder folder;
-    const std::string data =
+    const std::string     data =
       (std::filesystem::path(__FILE__).parent_path().parent_path() / "data" /
        "checkpoint-v1.bin")
         .string();
     ASSERT_TRUE(std::filesystem::exists(data)) << data;
     CheckpointSlots slots(folder.path, hash);
     put(slots.slot_path(0), get(data));
-    std::string warning;
+    std::string      warning;
     const Checkpoint read = slots.read_latest(warning);
     EXPECT_EQ(read.step, 4321u);
     EXPECT_EQ(read.blob, make_blob(64));

@@ -18,15 +18,15 @@ namespace Waker
     problem(const std::string &directory, const FolderMode mode)
     {
       try
-      {
-        check_output_folder(directory, mode);
-      }
+        {
+          check_output_folder(directory, mode);
+        }
       catch (const UserError &error)
-      {
-        EXPECT_EQ(error.where, "Output/Directory");
-        EXPECT_FALSE(error.allowed.empty());
-        return error.problem;
-      }
+        {
+          EXPECT_EQ(error.where, "Output/Directory");
+          EXPECT_FALSE(error.allowed.empty());
+          return error.problem;
+        }
       return "";
     }
 
@@ -42,7 +42,7 @@ namespace Waker
   TEST(Output, folder_is_checked_without_writing)
   {
     const TemporaryFolder folder;
-    const std::string fresh = folder.file("a/b/c");
+    const std::string     fresh = folder.file("a/b/c");
     EXPECT_EQ(problem(fresh, FolderMode::must_be_new), "");
     EXPECT_EQ(problem(fresh, FolderMode::overwrite), "");
     EXPECT_TRUE(contains(problem(fresh, FolderMode::resume), "does not exist"));
@@ -77,7 +77,7 @@ namespace Waker
   TEST(Output, overwriting_removes_a_run_and_nothing_else)
   {
     const TemporaryFolder folder;
-    const std::string run = folder.file("run");
+    const std::string     run = folder.file("run");
     prepare_output_folder(run, FolderMode::must_be_new, "first");
     EXPECT_EQ(get(run + "/parameters.prm"), "first");
     EXPECT_TRUE(fs::is_directory(run + "/solution"));
@@ -125,12 +125,12 @@ namespace Waker
     {
       PvdSeries series(folder.path, "particles");
       for (unsigned int i = 0; i < 5; ++i)
-      {
-        put(series.next_path(), "frame");
-        series.add(0.1 * i);
-        if (i == 2)
-          at_checkpoint = series.entries();
-      }
+        {
+          put(series.next_path(), "frame");
+          series.add(0.1 * i);
+          if (i == 2)
+            at_checkpoint = series.entries();
+        }
     }
     ASSERT_EQ(at_checkpoint.size(), 3u);
     EXPECT_EQ(at_checkpoint[2].file, "solution/particles-00002.vtu");
@@ -148,10 +148,10 @@ namespace Waker
     EXPECT_FALSE(fs::exists(folder.file("solution/particles-00004.vtu")));
 
     for (unsigned int i = 3; i < 5; ++i)
-    {
-      put(series.next_path(), "frame");
-      series.add(0.1 * i);
-    }
+      {
+        put(series.next_path(), "frame");
+        series.add(0.1 * i);
+      }
     EXPECT_EQ(get(folder.file("particles.pvd")), whole);
   }
 
@@ -159,7 +159,7 @@ namespace Waker
   TEST(Output, summary_comes_back_as_it_was)
   {
     const TemporaryFolder folder;
-    Summary summary;
+    Summary               summary;
     summary.outcome              = "flooding";
     summary.stop_reason          = "a \"quoted\" reason";
     summary.initial_failure_time = 3.141592653589793;

@@ -10,17 +10,17 @@ namespace Waker
   namespace
   {
     void
-    add_rows(Statistics &statistics,
+    add_rows(Statistics        &statistics,
              const unsigned int from,
              const unsigned int to)
     {
       for (unsigned int step = from; step < to; ++step)
-      {
-        statistics.begin_row(step);
-        statistics.add("Time (s)", 0.1 * step);
-        statistics.add("Dyke width (m)", -1. / 3.);
-        statistics.end_row();
-      }
+        {
+          statistics.begin_row(step);
+          statistics.add("Time (s)", 0.1 * step);
+          statistics.add("Dyke width (m)", -1. / 3.);
+          statistics.end_row();
+        }
     }
   } // namespace
 
@@ -41,7 +41,7 @@ namespace Waker
   TEST(Output, statistics_are_in_the_file_after_flush)
   {
     const TemporaryFolder folder;
-    Statistics statistics(folder.file("statistics"));
+    Statistics            statistics(folder.file("statistics"));
     add_rows(statistics, 0, 3);
     statistics.flush();
     EXPECT_NE(get(folder.file("statistics")).find("\n2 0.2 "),

@@ -56,21 +56,21 @@ namespace Waker
     {
       MaterialPoints<dim> points;
       for (unsigned int p = 0; p < n; ++p)
-      {
-        points.id.push_back(100 + p);
-        points.material.push_back(0);
-        points.mass.push_back(1.);
-        points.volume.push_back(0.5);
-        Point<dim> x;
-        x[0] = p;
-        points.initial_position.push_back(x);
-        x[1] = 0.5;
-        points.position.push_back(x);
-        points.velocity.emplace_back();
-        points.acceleration.emplace_back();
-        points.half_size.emplace_back();
-        points.stress.emplace_back();
-      }
+        {
+          points.id.push_back(100 + p);
+          points.material.push_back(0);
+          points.mass.push_back(1.);
+          points.volume.push_back(0.5);
+          Point<dim> x;
+          x[0] = p;
+          points.initial_position.push_back(x);
+          x[1] = 0.5;
+          points.position.push_back(x);
+          points.velocity.emplace_back();
+          points.acceleration.emplace_back();
+          points.half_size.emplace_back();
+          points.stress.emplace_back();
+        }
       points.scalar("undrained shear strength", 13.);
       return points;
     }
@@ -81,8 +81,8 @@ namespace Waker
     test_particles()
     {
       const TemporaryFolder folder;
-      const std::string path = folder.file("particles.vtu");
-      const unsigned int n   = 7;
+      const std::string     path = folder.file("particles.vtu");
+      const unsigned int    n    = 7;
       write_particles(make_points<dim>(n), 1.5, path);
       const std::string vtu = get(path);
 
@@ -120,7 +120,7 @@ namespace Waker
   TEST(Output, surface_is_written_as_lines)
   {
     const TemporaryFolder folder;
-    Surface surface;
+    Surface               surface;
     surface.chains.resize(2);
     surface.chains[0].vertices = {{0., 0.}, {4., 0.}, {2., 2.}};
     surface.chains[0].on_face  = {2, -1, -1};
@@ -143,19 +143,19 @@ namespace Waker
   void
   test_grid(const Point<dim> &upper)
   {
-    const TemporaryFolder folder;
+    const TemporaryFolder     folder;
     const BackgroundGrid<dim> grid(Point<dim>(), upper, 1., MPI_COMM_SELF);
-    std::vector<double> mass(grid.n_nodes(), 0.);
+    std::vector<double>       mass(grid.n_nodes(), 0.);
     typename BackgroundGrid<dim>::Index inside;
     inside.fill(2);
     mass[grid.node(inside)] = 1.; // touches 2^dim cells
     NodalVector velocity(grid.n_dofs());
-    GridFields fields;
+    GridFields  fields;
     fields.scalars = {{"proximity field", "", &mass}};
     fields.vectors = {{"velocity", "m/s", &velocity}};
     write_grid(grid, mass, fields, 0., folder.file("grid.vtu"));
 
-    const std::string vtu       = get(folder.file("grid.vtu"));
+    const std::string  vtu      = get(folder.file("grid.vtu"));
     const unsigned int n_cells  = 1 << dim;
     const unsigned int n_points = n_cells * n_cells;
     EXPECT_TRUE(contains(vtu, piece(n_points, n_cells)));
@@ -175,7 +175,7 @@ namespace Waker
 
   TEST(Output, grid_without_mass_is_an_empty_file_not_an_error)
   {
-    const TemporaryFolder folder;
+    const TemporaryFolder   folder;
     const BackgroundGrid<2> grid(Point<2>(),
                                  Point<2>(2., 2.),
                                  1.,

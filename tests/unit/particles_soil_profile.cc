@@ -15,9 +15,9 @@ namespace
 {
   using namespace Waker;
 
-  const std::vector<std::string> names = {"clay", "sand"};
-  const std::vector<double> densities  = {15. / 9.81, 2.};
-  const std::string dyke               = "0,0; 30,0; 15,5; 5,5";
+  const std::vector<std::string> names     = {"clay", "sand"};
+  const std::vector<double>      densities = {15. / 9.81, 2.};
+  const std::string              dyke      = "0,0; 30,0; 15,5; 5,5";
 
   LayerParameters
   layer(const std::string &polygon, const std::string &material = "clay")
@@ -40,10 +40,10 @@ namespace
 
   template <int dim>
   MaterialPoints<dim>
-  make(const BackgroundGrid<dim> &grid,
+  make(const BackgroundGrid<dim>          &grid,
        const std::vector<LayerParameters> &layers,
-       const double minimum_cut = 0.25,
-       const unsigned int n     = 2)
+       const double                        minimum_cut = 0.25,
+       const unsigned int                  n           = 2)
   {
     MaterialPointParameters parameters;
     parameters.minimum_cut          = minimum_cut;
@@ -77,13 +77,13 @@ namespace
   {
     Tensor<1, 2> sum;
     for (std::size_t i = 0; i < c.size(); ++i)
-    {
-      const auto &a      = c[i];
-      const auto &b      = c[(i + 1) % c.size()];
-      const double cross = a[0] * b[1] - a[1] * b[0];
-      for (unsigned int d = 0; d < 2; ++d)
-        sum[d] += (a[d] + b[d]) * cross / 6.;
-    }
+      {
+        const auto  &a     = c[i];
+        const auto  &b     = c[(i + 1) % c.size()];
+        const double cross = a[0] * b[1] - a[1] * b[0];
+        for (unsigned int d = 0; d < 2; ++d)
+          sum[d] += (a[d] + b[d]) * cross / 6.;
+      }
     return sum;
   }
 
@@ -100,17 +100,17 @@ namespace
   /// The path of the error that making the points throws, "" if none.
   template <int dim>
   std::string
-  where_it_fails(const BackgroundGrid<dim> &grid,
+  where_it_fails(const BackgroundGrid<dim>          &grid,
                  const std::vector<LayerParameters> &layers)
   {
     try
-    {
-      make(grid, layers);
-    }
+      {
+        make(grid, layers);
+      }
     catch (const UserError &e)
-    {
-      return e.where;
-    }
+      {
+        return e.where;
+      }
     return "";
   }
 } // namespace
@@ -129,17 +129,17 @@ TEST(Particles, dyke_of_chapter_5)
   EXPECT_EQ(make(grid, {layer(dyke)}, 0.).n_points(), 6480u);
 
   for (std::size_t p = 0; p < points.n_points(); ++p)
-  {
-    ASSERT_EQ(points.id[p], p);
-    ASSERT_GE(points.volume[p], 0.25 * 0.125 * 0.125);
-    ASSERT_LE(points.volume[p], 1.2 * 0.125 * 0.125);
-    ASSERT_EQ(points.position[p], points.initial_position[p]);
-    ASSERT_EQ(points.half_size[p][0], 0.0625);
-    ASSERT_EQ(points.half_size[p][1], 0.0625);
-    ASSERT_EQ(points.velocity[p].norm(), 0.);
-    ASSERT_EQ(points.acceleration[p].norm(), 0.);
-    ASSERT_EQ(points.stress[p].norm(), 0.);
-  }
+    {
+      ASSERT_EQ(points.id[p], p);
+      ASSERT_GE(points.volume[p], 0.25 * 0.125 * 0.125);
+      ASSERT_LE(points.volume[p], 1.2 * 0.125 * 0.125);
+      ASSERT_EQ(points.position[p], points.initial_position[p]);
+      ASSERT_EQ(points.half_size[p][0], 0.0625);
+      ASSERT_EQ(points.half_size[p][1], 0.0625);
+      ASSERT_EQ(points.velocity[p].norm(), 0.);
+      ASSERT_EQ(points.acceleration[p].norm(), 0.);
+      ASSERT_EQ(points.stress[p].norm(), 0.);
+    }
   EXPECT_TRUE(points.scalars.empty());
 }
 
@@ -148,7 +148,7 @@ TEST(Particles, slivers_go_to_the_fullest_neighbour)
 {
   const auto grid = dyke_grid();
   // On the inner slope (1:3) the 1/6 above a full sub-cell joins that one.
-  const auto points  = make(grid, {layer(dyke)});
+  const auto  points = make(grid, {layer(dyke)});
   std::size_t larger = 0;
   for (const double v : points.volume)
     if (std::abs(v / (0.125 * 0.125) - 7. / 6.) < 1e-9)
@@ -163,7 +163,7 @@ TEST(Particles, order_is_cells_then_sub_cells)
                                Point<2>(3., 2.),
                                1.,
                                MPI_COMM_SELF);
-  const auto points = make(grid, {layer("0,0; 3,0; 3,2; 0,2")});
+  const auto              points = make(grid, {layer("0,0; 3,0; 3,2; 0,2")});
   ASSERT_EQ(points.n_points(), 24u);
   const std::vector<Point<2>> start = {Point<2>(.25, .25),
                                        Point<2>(.75, .25),
@@ -178,58 +178,58 @@ TEST(Particles, order_is_cells_then_sub_cells)
 
 TEST(Particles, random_polygons_keep_volume_and_moment)
 {
-  const BackgroundGrid<2> grid(Point<2>(-3., 1.),
+  const BackgroundGrid<2>                grid(Point<2>(-3., 1.),
                                Point<2>(7., 11.),
                                0.5,
                                MPI_COMM_SELF);
-  std::mt19937 random(4);
+  std::mt19937                           random(4);
   std::uniform_real_distribution<double> uniform(0., 1.);
-  unsigned int non_convex = 0;
+  unsigned int                           non_convex = 0;
   for (unsigned int k = 0; k < 200; ++k)
-  {
-    // A star: simple, seldom convex, with corners on the lattice at times.
-    const unsigned int n = 3 + k % 20;
-    Polygon corners;
-    for (unsigned int i = 0; i < n; ++i)
     {
-      const double a = 2. * M_PI * (i + 0.8 * uniform(random)) / n;
-      const double r = 0.3 + 4.6 * uniform(random);
-      corners.push_back({{2. + r * std::cos(a), 6. + r * std::sin(a)}});
-      if (k % 3 == 0)
-        for (double &x : corners.back())
-          x = std::round(4. * x) / 4.;
+      // A star: simple, seldom convex, with corners on the lattice at times.
+      const unsigned int n = 3 + k % 20;
+      Polygon            corners;
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          const double a = 2. * M_PI * (i + 0.8 * uniform(random)) / n;
+          const double r = 0.3 + 4.6 * uniform(random);
+          corners.push_back({{2. + r * std::cos(a), 6. + r * std::sin(a)}});
+          if (k % 3 == 0)
+            for (double &x : corners.back())
+              x = std::round(4. * x) / 4.;
+        }
+      if (k % 2)
+        std::reverse(corners.begin(), corners.end());
+      LayerParameters l = layer(polygon_text(corners));
+      Polygon         simple;
+      try
+        {
+          simple = l.corners();
+        }
+      catch (const UserError &)
+        {
+          continue; // rounding has made corners meet
+        }
+      for (std::size_t i = 0; i < simple.size(); ++i)
+        if (signed_area({simple[i],
+                         simple[(i + 1) % simple.size()],
+                         simple[(i + 2) % simple.size()]}) < 0.)
+          {
+            ++non_convex;
+            break;
+          }
+      const double       area   = signed_area(simple);
+      const Tensor<1, 2> moment = first_moment(simple);
+      ASSERT_GT(area, 0.);
+      for (const double minimum_cut : {0., 0.25, 0.5})
+        {
+          const auto points = make(grid, {l}, minimum_cut, 1 + k % 3);
+          ASSERT_NEAR(total(points, points.volume), area, 1e-12 * area);
+          ASSERT_LT((first_moment(points) - moment).norm(), 1e-11 * area)
+            << l.polygon;
+        }
     }
-    if (k % 2)
-      std::reverse(corners.begin(), corners.end());
-    LayerParameters l = layer(polygon_text(corners));
-    Polygon simple;
-    try
-    {
-      simple = l.corners();
-    }
-    catch (const UserError &)
-    {
-      continue; // rounding has made corners meet
-    }
-    for (std::size_t i = 0; i < simple.size(); ++i)
-      if (signed_area({simple[i],
-                       simple[(i + 1) % simple.size()],
-                       simple[(i + 2) % simple.size()]}) < 0.)
-      {
-        ++non_convex;
-        break;
-      }
-    const double area         = signed_area(simple);
-    const Tensor<1, 2> moment = first_moment(simple);
-    ASSERT_GT(area, 0.);
-    for (const double minimum_cut : {0., 0.25, 0.5})
-    {
-      const auto points = make(grid, {l}, minimum_cut, 1 + k % 3);
-      ASSERT_NEAR(total(points, points.volume), area, 1e-12 * area);
-      ASSERT_LT((first_moment(points) - moment).norm(), 1e-11 * area)
-        << l.polygon;
-    }
-  }
   EXPECT_GT(non_convex, 100u);
 }
 
@@ -258,27 +258,27 @@ TEST(Particles, mirrored_dyke_has_mirrored_points)
 
 TEST(Particles, layers_have_material_and_velocity)
 {
-  const auto grid             = dyke_grid();
-  LayerParameters upper       = layer("0,1; 10,1.7; 10,3; 0,3", "sand");
-  upper.velocity              = {1., -2.};
-  const LayerParameters lower = layer("10,0; 10,1.7; 0,1; 0,0");
-  const auto points           = make(grid, {upper, lower});
-  double clay = 0., sand = 0.;
+  const auto      grid         = dyke_grid();
+  LayerParameters upper        = layer("0,1; 10,1.7; 10,3; 0,3", "sand");
+  upper.velocity               = {1., -2.};
+  const LayerParameters lower  = layer("10,0; 10,1.7; 0,1; 0,0");
+  const auto            points = make(grid, {upper, lower});
+  double                clay = 0., sand = 0.;
   for (std::size_t p = 0; p < points.n_points(); ++p)
-  {
-    const bool is_sand = points.material[p] == 1;
-    (is_sand ? sand : clay) += points.volume[p];
-    EXPECT_NEAR(points.mass[p],
-                points.volume[p] * densities[points.material[p]],
-                1e-15);
-    EXPECT_EQ(points.velocity[p][1], is_sand ? -2. : 0.);
-    if (p > 0) // both layers in one order
     {
-      const auto a = grid.cell_index(points.position[p - 1]);
-      const auto b = grid.cell_index(points.position[p]);
-      EXPECT_LE(a[1], b[1] + 1); // a merged point may lie beyond its cell
+      const bool is_sand = points.material[p] == 1;
+      (is_sand ? sand : clay) += points.volume[p];
+      EXPECT_NEAR(points.mass[p],
+                  points.volume[p] * densities[points.material[p]],
+                  1e-15);
+      EXPECT_EQ(points.velocity[p][1], is_sand ? -2. : 0.);
+      if (p > 0) // both layers in one order
+        {
+          const auto a = grid.cell_index(points.position[p - 1]);
+          const auto b = grid.cell_index(points.position[p]);
+          EXPECT_LE(a[1], b[1] + 1); // a merged point may lie beyond its cell
+        }
     }
-  }
   EXPECT_NEAR(clay, 13.5, 1e-11);
   EXPECT_NEAR(sand, 16.5, 1e-11);
 }
@@ -294,8 +294,8 @@ TEST(Particles, extruded_slice_in_3d)
                                 Point<2>(7., 2.),
                                 0.5,
                                 MPI_COMM_SELF);
-  LayerParameters l = layer("0,0; 6,0; 3,1; 1,1");
-  const auto flat   = make(plane, {l});
+  LayerParameters         l    = layer("0,0; 6,0; 3,1; 1,1");
+  const auto              flat = make(plane, {l});
 
   // Over the whole grid: 12 slices like the plane one.
   auto points = make(grid, {l});
@@ -303,11 +303,11 @@ TEST(Particles, extruded_slice_in_3d)
   EXPECT_NEAR(total(points, points.volume), 12., 1e-11);
   EXPECT_NEAR(profile_volume(grid, {l}), 12., 1e-12);
   for (std::size_t p = 1; p < points.n_points(); ++p)
-  {
-    const auto a = grid.cell_index(points.position[p - 1]);
-    const auto b = grid.cell_index(points.position[p]);
-    ASSERT_LE(a[2], b[2]);
-  }
+    {
+      const auto a = grid.cell_index(points.position[p - 1]);
+      const auto b = grid.cell_index(points.position[p]);
+      ASSERT_LE(a[2], b[2]);
+    }
 
   // Slices cut by the extent: 0.6 of one at the lower end stays, 0.2 of one
   // at the upper end goes to its neighbour.
@@ -315,16 +315,16 @@ TEST(Particles, extruded_slice_in_3d)
   points   = make(grid, {l});
   EXPECT_NEAR(total(points, points.volume), 0.95 * 4., 1e-11);
   const Tensor<1, 2> moment = first_moment(l.corners());
-  const auto actual         = first_moment(points);
+  const auto         actual = first_moment(points);
   EXPECT_NEAR(actual[0], 0.95 * moment[0], 1e-11);
   EXPECT_NEAR(actual[1], 0.95 * moment[1], 1e-11);
   EXPECT_NEAR(actual[2], 0.95 * 4. * 0.575, 1e-11);
   for (std::size_t p = 0; p < points.n_points(); ++p)
-  {
-    ASSERT_GT(points.volume[p], 0.25 * 0.25 * 0.25 * 0.25 - 1e-12);
-    ASSERT_LT(points.position[p][2], 1.);
-    ASSERT_EQ(points.half_size[p][2], 0.125);
-  }
+    {
+      ASSERT_GT(points.volume[p], 0.25 * 0.25 * 0.25 * 0.25 - 1e-12);
+      ASSERT_LT(points.position[p][2], 1.);
+      ASSERT_EQ(points.half_size[p][2], 0.125);
+    }
 
   // One thin slice keeps all its volume.
   l.extent = {0.1, 0.12};
@@ -343,7 +343,7 @@ TEST(Particles, extruded_slice_in_3d)
 
 TEST(Particles, bad_profiles_are_named)
 {
-  const auto grid           = dyke_grid();
+  const auto        grid    = dyke_grid();
   const std::string polygon = "Soil profile/layer/Polygon";
   for (const char *text : {"",
                            "0,0; 1,0",
@@ -361,9 +361,9 @@ TEST(Particles, bad_profiles_are_named)
                            "0,0; 1,0; 1,6.5",         // above the grid
                            "-6.1,0; 1,0; 1,1",        // in the margin
                            "0,0; 4,0; 4,-0.1"})
-  {
-    EXPECT_EQ(where_it_fails(grid, {layer(text)}), polygon) << text;
-  }
+    {
+      EXPECT_EQ(where_it_fails(grid, {layer(text)}), polygon) << text;
+    }
   EXPECT_EQ(where_it_fails(grid, {layer("0,0; +1,0.; 1e0, 1 ;0,0;")}), "");
   EXPECT_EQ(where_it_fails(grid, {}), "Soil profile");
   EXPECT_EQ(where_it_fails(grid, {layer(dyke), layer("4,1; 5,1; 5,2")}),
@@ -373,14 +373,14 @@ TEST(Particles, bad_profiles_are_named)
   LayerParameters l = layer(dyke, "peat");
   EXPECT_EQ(where_it_fails(grid, {l}), "Soil profile/layer/Material");
   try
-  {
-    make(grid, {l});
-  }
+    {
+      make(grid, {l});
+    }
   catch (const UserError &e)
-  {
-    EXPECT_EQ(e.allowed, "clay, sand");
-    EXPECT_NE(e.problem.find("peat"), std::string::npos);
-  }
+    {
+      EXPECT_EQ(e.allowed, "clay, sand");
+      EXPECT_NE(e.problem.find("peat"), std::string::npos);
+    }
   l          = layer(dyke);
   l.velocity = {1.};
   EXPECT_EQ(where_it_fails(grid, {l}), "Soil profile/layer/Velocity");
@@ -399,18 +399,18 @@ TEST(Particles, bad_profiles_are_named)
                                             {1., 0.},
                                             {0., 2.1},
                                             {-1., 1.}})
-  {
-    l.extent = extent;
-    EXPECT_EQ(where_it_fails(block, {l}), "Soil profile/layer/Extent");
-  }
+    {
+      l.extent = extent;
+      EXPECT_EQ(where_it_fails(block, {l}), "Soil profile/layer/Extent");
+    }
 }
 
 
 TEST(Particles, profile_parameters_are_read)
 {
   dealii::ParameterHandler prm;
-  LayerParameters l;
-  MaterialPointParameters m;
+  LayerParameters          l;
+  MaterialPointParameters  m;
   l.add_parameters(prm);
   m.add_parameters(prm);
   prm.parse_input_from_string("set Material = clay\n"

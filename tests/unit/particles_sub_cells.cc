@@ -39,49 +39,49 @@ TEST(Particles, small_parts_are_handed_on_until_large_enough)
 TEST(Particles, parts_agree_with_clipping_each_sub_cell)
 {
   // A comb: several edges in one sub-cell, and sub-cells with two parts.
-  const Polygon comb = {{{0.3, 0.2}},
-                        {{6.1, 0.4}},
-                        {{5.9, 5.3}},
-                        {{4.7, 0.9}},
-                        {{4.6, 6.}},
-                        {{4.4, 1.1}},
-                        {{2., 5.5}},
-                        {{2.2, 1.3}},
-                        {{0., 3.}}};
-  const auto parts   = cut_sub_cells(comb);
-  double sum         = 0.;
+  const Polygon comb  = {{{0.3, 0.2}},
+                         {{6.1, 0.4}},
+                         {{5.9, 5.3}},
+                         {{4.7, 0.9}},
+                         {{4.6, 6.}},
+                         {{4.4, 1.1}},
+                         {{2., 5.5}},
+                         {{2.2, 1.3}},
+                         {{0., 3.}}};
+  const auto    parts = cut_sub_cells(comb);
+  double        sum   = 0.;
   for (int j = 0; j < 6; ++j)
     for (int i = 0; i < 7; ++i)
-    {
-      const double x = i, y = j;
-      const double area =
-        common_area(comb,
-                    {{{x, y}}, {{x + 1, y}}, {{x + 1, y + 1}}, {{x, y + 1}}});
-      const auto part =
-        std::find_if(parts.begin(), parts.end(), [&](const SubCellPart &p) {
-          return p.index == std::array<int, 2>{{i, j}};
-        });
-      EXPECT_NEAR(part == parts.end() ? 0. : part->share, area, 1e-13);
-      sum += area;
-    }
+      {
+        const double x = i, y = j;
+        const double area =
+          common_area(comb,
+                      {{{x, y}}, {{x + 1, y}}, {{x + 1, y + 1}}, {{x, y + 1}}});
+        const auto part =
+          std::find_if(parts.begin(), parts.end(), [&](const SubCellPart &p) {
+            return p.index == std::array<int, 2>{{i, j}};
+          });
+        EXPECT_NEAR(part == parts.end() ? 0. : part->share, area, 1e-13);
+        sum += area;
+      }
   EXPECT_NEAR(sum, signed_area(comb), 1e-12);
 }
 
 
 TEST(Particles, layers_that_touch_do_not_overlap)
 {
-  std::mt19937 random(7);
+  std::mt19937                           random(7);
   std::uniform_real_distribution<double> uniform(0., 1.);
   for (unsigned int k = 0; k < 200; ++k)
-  {
-    // The line between them has corners that only one of them knows.
-    const double y0 = 1. + uniform(random), y1 = 1. + uniform(random);
-    const double s     = uniform(random);
-    const double y     = y0 + s * (y1 - y0);
-    const Polygon low  = {{{0., 0.}}, {{7., 0.}}, {{7., y1}}, {{0., y0}}};
-    const Polygon high = {
-      {{0., y0}}, {{7. * s, y}}, {{7., y1}}, {{7., 3.}}, {{0., 3.}}};
-    EXPECT_NEAR(common_area(low, high), 0., 1e-13);
-    EXPECT_NEAR(common_area(low, low), signed_area(low), 1e-13);
-  }
+    {
+      // The line between them has corners that only one of them knows.
+      const double  y0 = 1. + uniform(random), y1 = 1. + uniform(random);
+      const double  s    = uniform(random);
+      const double  y    = y0 + s * (y1 - y0);
+      const Polygon low  = {{{0., 0.}}, {{7., 0.}}, {{7., y1}}, {{0., y0}}};
+      const Polygon high = {
+        {{0., y0}}, {{7. * s, y}}, {{7., y1}}, {{7., 3.}}, {{0., 3.}}};
+      EXPECT_NEAR(common_area(low, high), 0., 1e-13);
+      EXPECT_NEAR(common_area(low, low), signed_area(low), 1e-13);
+    }
 }

@@ -61,7 +61,7 @@ end
   inline std::string
   with(const std::string &from, const std::string &to)
   {
-    std::string text           = good_case;
+    std::string       text     = good_case;
     const std::size_t position = text.find(from);
     EXPECT_NE(position, std::string::npos) << from;
     return text.replace(position, from.size(), to);

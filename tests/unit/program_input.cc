@@ -14,26 +14,27 @@ namespace
 {
   /// Reading must fail, with these words in the three lines.
   void
-  expect_error(const std::string &text,
+  expect_error(const std::string              &text,
                const std::vector<std::string> &overrides,
-               const std::string &where,
-               const std::string &what,
-               const std::string &allowed)
+               const std::string              &where,
+               const std::string              &what,
+               const std::string              &allowed)
   {
     const std::string path = write_case(text);
     try
-    {
-      read_parameters(path, overrides);
-      ADD_FAILURE() << "no error; expected: " << what;
-    }
+      {
+        read_parameters(path, overrides);
+        ADD_FAILURE() << "no error; expected: " << what;
+      }
     catch (const UserError &error)
-    {
-      const std::string file =
-        where.rfind("--set", 0) == 0 ? where : path + where;
-      EXPECT_EQ(error.where, file);
-      EXPECT_NE(error.problem.find(what), std::string::npos) << error.what();
-      EXPECT_NE(error.allowed.find(allowed), std::string::npos) << error.what();
-    }
+      {
+        const std::string file =
+          where.rfind("--set", 0) == 0 ? where : path + where;
+        EXPECT_EQ(error.where, file);
+        EXPECT_NE(error.problem.find(what), std::string::npos) << error.what();
+        EXPECT_NE(error.allowed.find(allowed), std::string::npos)
+          << error.what();
+      }
   }
 
 
@@ -140,15 +141,15 @@ TEST(Program, missing_file_and_folder)
   for (const std::string &path :
        {testing::TempDir(), testing::TempDir() + "not_there.prm"})
     try
-    {
-      read_parameters(path, {});
-      ADD_FAILURE() << path;
-    }
+      {
+        read_parameters(path, {});
+        ADD_FAILURE() << path;
+      }
     catch (const UserError &error)
-    {
-      EXPECT_EQ(error.where, path);
-      EXPECT_NE(error.allowed.find(".prm file"), std::string::npos);
-    }
+      {
+        EXPECT_EQ(error.where, path);
+        EXPECT_NE(error.allowed.find(".prm file"), std::string::npos);
+      }
 }
 
 

@@ -18,7 +18,7 @@ using namespace ProgramCase;
 namespace
 {
   std::string
-  hash_of(const std::string &text,
+  hash_of(const std::string              &text,
           const std::vector<std::string> &overrides = {})
   {
     return read_parameters(write_case(text), overrides)->hash;
@@ -52,7 +52,7 @@ TEST(Program, text_of_values_used_reads_back)
   const auto p =
     read_parameters(write_case(good_case), {"Water/Level=4.123456789012345"});
   const std::string text = p->text;
-  const auto q           = read_parameters(write_case(text), {});
+  const auto        q    = read_parameters(write_case(text), {});
   EXPECT_EQ(q->water.level, 4.123456789012345);
   EXPECT_EQ(q->text, text);
   EXPECT_EQ(q->hash, p->hash);
@@ -80,7 +80,7 @@ TEST(Program, hash_depends_on_values_not_on_writing)
 
 TEST(Program, later_errors_find_their_line)
 {
-  const std::string path = write_case(good_case);
+  const std::string  path = write_case(good_case);
   ParameterLocations locations;
   read_parameters(path, {"Water/Level=4"}, &locations);
   EXPECT_EQ(locations.where("Soil profile/dyke/Polygon"), path + ":19");

@@ -71,14 +71,14 @@ namespace Waker
     void
     erase_bar();
 
-    std::ostream *screen = nullptr;
-    bool terminal        = false;
-    std::ofstream file;
-    bool bar_shown = false;
-    bool started   = false;
+    std::ostream     *screen   = nullptr;
+    bool              terminal = false;
+    std::ofstream     file;
+    bool              bar_shown = false;
+    bool              started   = false;
     Clock::time_point start_time;
     Clock::time_point last_time;
-    double start_fraction = 0.;
+    double            start_fraction = 0.;
   };
 } // namespace Waker
 

@@ -34,7 +34,7 @@ namespace Waker
      *        direction d is closed
      */
     MarchingSquares(const std::array<std::vector<double>, 2> &coordinates,
-                    const unsigned int closed_faces);
+                    const unsigned int                        closed_faces);
 
     /**
      * @param values at the nodes: node (i, j) at values[j * row_stride + i]
@@ -42,10 +42,10 @@ namespace Waker
      * @param surface overwritten; its storage is used again
      */
     void
-    trace(const double *values,
+    trace(const double      *values,
           const unsigned int row_stride,
-          const double threshold,
-          Surface &surface);
+          const double       threshold,
+          Surface           &surface);
 
   private:
     // A segment within a cell. An edge has the number 2 * node (along x) or
@@ -54,7 +54,7 @@ namespace Waker
     {
       unsigned int from_edge;
       unsigned int to_edge;
-      int on_face;
+      int          on_face;
     };
 
     void
@@ -67,21 +67,21 @@ namespace Waker
     // chain has no area.
     bool
     follow(const unsigned int start,
-           const double threshold,
-           SurfaceChain &chain);
+           const double       threshold,
+           SurfaceChain      &chain);
 
     // The lattice is padded by one node all round. The padding has the value
     // zero; at a closed face it lies on the face itself.
     std::array<std::vector<double>, 2> padded_coordinates;
-    std::array<int, 4> face_marks; // face number or -1
-    double tolerance = 0.;         // m
+    std::array<int, 4>                 face_marks;     // face number or -1
+    double                             tolerance = 0.; // m
 
-    std::vector<double> padded_values;
+    std::vector<double>        padded_values;
     std::vector<unsigned char> inside;
-    std::vector<Segment> segments;
+    std::vector<Segment>       segments;
     std::vector<unsigned char> followed;
-    std::vector<unsigned int> segment_from_edge;
-    std::vector<double> areas;
+    std::vector<unsigned int>  segment_from_edge;
+    std::vector<double>        areas;
   };
 } // namespace Waker
 

@@ -11,10 +11,10 @@ namespace Waker
   struct SupportNode
   {
     unsigned int node; // number in the plane's lattice, x fastest
-    int dx;            // offset from the node without support, in cells
-    int dy;
-    double distance; // squared, in cells
-    double weight;
+    int          dx;   // offset from the node without support, in cells
+    int          dy;
+    double       distance; // squared, in cells
+    double       weight;
   };
 
   /**
@@ -36,11 +36,11 @@ namespace Waker
    * @param nodes overwritten; its storage is used again
    */
   void
-  find_support(const double *mass,
-               const double minimum_mass,
+  find_support(const double                      *mass,
+               const double                       minimum_mass,
                const std::array<unsigned int, 2> &n,
-               const unsigned int node,
-               std::vector<SupportNode> &nodes);
+               const unsigned int                 node,
+               std::vector<SupportNode>          &nodes);
 } // namespace Waker
 
 #endif

@@ -55,8 +55,8 @@ namespace Waker
   public:
     /// @param closed_faces where to mirror (Fixities::closed_faces())
     ProximityField(const BackgroundGrid<dim> &grid,
-                   const SurfaceParameters &parameters,
-                   const unsigned int closed_faces);
+                   const SurfaceParameters   &parameters,
+                   const unsigned int         closed_faces);
 
     /// PF (no unit; about 1 inside a body) for the points as they lie, at the
     /// nodes of the x-y lattice, x fastest, margin included: n_x n_y entries,
@@ -85,13 +85,13 @@ namespace Waker
     void
     add_kernels(const MaterialPoints<dim> &points);
 
-    double radius; // in cells
-    double threshold;
-    double inverse_h; // 1/m
-    double factor;    // K at its centre, times 1 / L_z in 3D
-    Point<2> origin;  // of the lattice, m
-    int n_x;
-    int n_y;
+    double       radius; // in cells
+    double       threshold;
+    double       inverse_h; // 1/m
+    double       factor;    // K at its centre, times 1 / L_z in 3D
+    Point<2>     origin;    // of the lattice, m
+    int          n_x;
+    int          n_y;
     unsigned int first_traced; // lattice node where the contour's window starts
 
     // Coordinates of the closed faces in cells from the origin, in the order
@@ -99,7 +99,7 @@ namespace Waker
     std::array<double, 4> mirrors;
 
     std::vector<double> nodal_field;
-    MarchingSquares contour;
+    MarchingSquares     contour;
   };
 } // namespace Waker
 

@@ -37,8 +37,8 @@ namespace Waker
   /// A straight piece of the wetted surface, as loaded.
   struct LoadedSegment
   {
-    Point<2> from;       // m
-    Point<2> to;         // m
+    Point<2>     from;   // m
+    Point<2>     to;     // m
     Tensor<1, 2> normal; // out of the body
   };
 
@@ -46,8 +46,8 @@ namespace Waker
   /// along z, also in 3D.
   struct WaterResultant
   {
-    Tensor<1, 2> force; // kN/m
-    double moment = 0.; // kNm/m, about the origin, anticlockwise
+    Tensor<1, 2> force;       // kN/m
+    double       moment = 0.; // kNm/m, about the origin, anticlockwise
   };
 
   /**
@@ -78,7 +78,7 @@ namespace Waker
   {
   public:
     WaterLoad(const BackgroundGrid<dim> &grid,
-              const WaterParameters &parameters);
+              const WaterParameters     &parameters);
 
     /// The wetted part of the surface, from the toe up. Empty without water.
     void
@@ -100,8 +100,8 @@ namespace Waker
      */
     void
     add_nodal_forces(const std::vector<double> &node_mass,
-                     const double full_node_mass,
-                     NodalVector &force);
+                     const double               full_node_mass,
+                     NodalVector               &force);
 
     /// Exact resultant of the pressure on the wetted segments.
     WaterResultant
@@ -118,21 +118,21 @@ namespace Waker
 
     // Gauss points on the piece [a, b] (m), which lies within one cell.
     void
-    integrate_piece(const Point<2> &a,
-                    const Point<2> &b,
+    integrate_piece(const Point<2>     &a,
+                    const Point<2>     &b,
                     const Tensor<1, 2> &normal);
 
     const BackgroundGrid<dim> *grid;
-    WaterParameters parameters;
+    WaterParameters            parameters;
     std::vector<LoadedSegment> wetted;
 
     // Work arrays. Forces (kN/m) on the nodes of the x-y plane, and the nodes
     // of it that have one.
-    std::vector<Tensor<1, 2>> plane_force;
+    std::vector<Tensor<1, 2>>  plane_force;
     std::vector<unsigned char> is_loaded;
-    std::vector<unsigned int> loaded_nodes;
-    std::vector<SupportNode> support;
-    std::vector<double> cuts;
+    std::vector<unsigned int>  loaded_nodes;
+    std::vector<SupportNode>   support;
+    std::vector<double>        cuts;
   };
 } // namespace Waker
 

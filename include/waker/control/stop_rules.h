@@ -46,13 +46,13 @@ namespace Waker
    */
   StopReason
   decide(const StopParameters &parameters,
-         const FailureRecord & failure,
+         const FailureRecord  &failure,
          const double          time,
          const double          end_time,
          const double          settling_time,
          const double          mean_plastic_strain,
          const double          displacement_rate,
-         RestRecord &          rest);
+         RestRecord           &rest);
 } // namespace Waker
 
 #endif

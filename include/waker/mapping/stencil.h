@@ -33,9 +33,9 @@ namespace Waker
       Tensor<1, 2>  sum;
       for (unsigned int j = 0; j < 3; ++j, u += row)
         for (unsigned int c = 0; c < 2; ++c)
-          sum[c] += w.value[1][j] *
-                    (w.value[0][0] * u[c] + w.value[0][1] * u[2 + c] +
-                     w.value[0][2] * u[4 + c]);
+          sum[c] +=
+            w.value[1][j] * (w.value[0][0] * u[c] + w.value[0][1] * u[2 + c] +
+                             w.value[0][2] * u[4 + c]);
       return sum;
     }
 
@@ -61,8 +61,8 @@ namespace Waker
     /// nodal_i += S_ip f
     void
     scatter_value(const PointWeights<2> &w,
-                  const Tensor<1, 2> &   f,
-                  double *               nodal) const
+                  const Tensor<1, 2>    &f,
+                  double                *nodal) const
     {
       double *u = nodal + 2 * w.base;
       for (unsigned int j = 0; j < 3; ++j, u += row)
@@ -80,8 +80,8 @@ namespace Waker
     /// nodal_i,c += sum_d P_cd dS_ip/dx_d
     void
     scatter_gradient(const PointWeights<2> &w,
-                     const Tensor<2, 2> &   P,
-                     double *               nodal) const
+                     const Tensor<2, 2>    &P,
+                     double                *nodal) const
     {
       double *u = nodal + 2 * w.base;
       for (unsigned int j = 0; j < 3; ++j, u += row)
@@ -109,7 +109,9 @@ namespace Waker
             Tensor<1, 2> gradient;
             gradient[0] = w.gradient[0][i] * w.value[1][j];
             gradient[1] = w.value[0][i] * w.gradient[1][j];
-            f(w.base + j * (row / 2) + i, w.value[0][i] * w.value[1][j], gradient);
+            f(w.base + j * (row / 2) + i,
+              w.value[0][i] * w.value[1][j],
+              gradient);
           }
     }
 
@@ -157,9 +159,9 @@ namespace Waker
                 const double v = w.value[0][0] * u[c] +
                                  w.value[0][1] * u[3 + c] +
                                  w.value[0][2] * u[6 + c];
-                sum[c][0] += sx * (w.gradient[0][0] * u[c] +
-                                   w.gradient[0][1] * u[3 + c] +
-                                   w.gradient[0][2] * u[6 + c]);
+                sum[c][0] +=
+                  sx * (w.gradient[0][0] * u[c] + w.gradient[0][1] * u[3 + c] +
+                        w.gradient[0][2] * u[6 + c]);
                 sum[c][1] += sy * v;
                 sum[c][2] += sz * v;
               }
@@ -169,13 +171,13 @@ namespace Waker
 
     void
     scatter_value(const PointWeights<3> &w,
-                  const Tensor<1, 3> &   f,
-                  double *               nodal) const
+                  const Tensor<1, 3>    &f,
+                  double                *nodal) const
     {
       for (unsigned int k = 0; k < 3; ++k)
         for (unsigned int j = 0; j < 3; ++j)
           {
-            double *     u = nodal + 3 * w.base + k * plane + j * row;
+            double      *u = nodal + 3 * w.base + k * plane + j * row;
             const double s = w.value[2][k] * w.value[1][j];
             for (unsigned int i = 0; i < 3; ++i)
               for (unsigned int c = 0; c < 3; ++c)
@@ -185,13 +187,13 @@ namespace Waker
 
     void
     scatter_gradient(const PointWeights<3> &w,
-                     const Tensor<2, 3> &   P,
-                     double *               nodal) const
+                     const Tensor<2, 3>    &P,
+                     double                *nodal) const
     {
       for (unsigned int k = 0; k < 3; ++k)
         for (unsigned int j = 0; j < 3; ++j)
           {
-            double *     u  = nodal + 3 * w.base + k * plane + j * row;
+            double      *u  = nodal + 3 * w.base + k * plane + j * row;
             const double sx = w.value[2][k] * w.value[1][j];
             const double sy = w.value[2][k] * w.gradient[1][j];
             const double sz = w.gradient[2][k] * w.value[1][j];
@@ -216,12 +218,9 @@ namespace Waker
           for (unsigned int i = 0; i < 3; ++i)
             {
               Tensor<1, 3> gradient;
-              gradient[0] =
-                w.gradient[0][i] * w.value[1][j] * w.value[2][k];
-              gradient[1] =
-                w.value[0][i] * w.gradient[1][j] * w.value[2][k];
-              gradient[2] =
-                w.value[0][i] * w.value[1][j] * w.gradient[2][k];
+              gradient[0] = w.gradient[0][i] * w.value[1][j] * w.value[2][k];
+              gradient[1] = w.value[0][i] * w.gradient[1][j] * w.value[2][k];
+              gradient[2] = w.value[0][i] * w.value[1][j] * w.gradient[2][k];
               f(w.base + k * (plane / 3) + j * (row / 3) + i,
                 w.value[0][i] * w.value[1][j] * w.value[2][k],
                 gradient);

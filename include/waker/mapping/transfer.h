@@ -16,8 +16,8 @@ namespace Waker
   template <int dim>
   void
   to_nodes(const MaterialPoints<dim> &points,
-           const Weights<dim> &       weights,
-           NodalState &               nodes);
+           const Weights<dim>        &weights,
+           NodalState                &nodes);
 
   /// The weight of the points on the nodes, gravity along -y (eq. 2.27):
   /// external_force = m_i g.
@@ -39,9 +39,9 @@ namespace Waker
    */
   template <int dim>
   TransferReport
-  to_particles(const NodalState &  nodes,
-               const Weights<dim> &weights,
-               const double        dt,
+  to_particles(const NodalState    &nodes,
+               const Weights<dim>  &weights,
+               const double         dt,
                MaterialPoints<dim> &points);
 } // namespace Waker
 

@@ -63,7 +63,7 @@ namespace Waker
     }
 
   private:
-    const BackgroundGrid<dim> *    grid;
+    const BackgroundGrid<dim>     *grid;
     ShapeFunctions                 shape_functions;
     std::vector<PointWeights<dim>> weights;
   };

@@ -19,10 +19,10 @@ namespace Waker
     std::string name; // of the subsection
 
     /// "linear elastic" or "von Mises softening".
-    std::string model            = "von Mises softening";
-    double      unit_weight      = 15.;    // kN/m^3
-    double      youngs_modulus   = 1000.;  // kPa
-    double      poissons_ratio   = 0.45;   // -
+    std::string model             = "von Mises softening";
+    double      unit_weight       = 15.;   // kN/m^3
+    double      youngs_modulus    = 1000.; // kPa
+    double      poissons_ratio    = 0.45;  // -
     double      initial_strength  = 13.;   // c_i, kPa
     double      residual_strength = 5.;    // c_r, kPa
     double      softening_modulus = -50.;  // H_s = dc / d(plastic strain), kPa

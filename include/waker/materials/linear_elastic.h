@@ -24,9 +24,9 @@ namespace Waker
 
     double
     update(const SymmetricTensor<2, 3> &strain_increment,
-           SymmetricTensor<2, 3> &      stress,
-           double *                     variables,
-           SymmetricTensor<4, 3> *      tangent) const override;
+           SymmetricTensor<2, 3>       &stress,
+           double                      *variables,
+           SymmetricTensor<4, 3>       *tangent) const override;
 
     double
     density() const override
@@ -50,7 +50,7 @@ namespace Waker
     /// stress += K tr(strain) 1 + 2 G dev(strain)
     void
     add_elastic_stress(const SymmetricTensor<2, 3> &strain_increment,
-                       SymmetricTensor<2, 3> &      stress) const;
+                       SymmetricTensor<2, 3>       &stress) const;
 
     double                rho;
     double                G;

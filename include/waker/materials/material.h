@@ -53,9 +53,9 @@ namespace Waker
      */
     virtual double
     update(const SymmetricTensor<2, 3> &strain_increment,
-           SymmetricTensor<2, 3> &      stress,
-           double *                     variables,
-           SymmetricTensor<4, 3> *      tangent) const = 0;
+           SymmetricTensor<2, 3>       &stress,
+           double                      *variables,
+           SymmetricTensor<4, 3>       *tangent) const = 0;
 
     /// Mass density (Mg/m^3).
     virtual double

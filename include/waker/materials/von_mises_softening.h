@@ -44,15 +44,15 @@ namespace Waker
 
     double
     update(const SymmetricTensor<2, 3> &strain_increment,
-           SymmetricTensor<2, 3> &      stress,
-           double *                     variables,
-           SymmetricTensor<4, 3> *      tangent) const override;
+           SymmetricTensor<2, 3>       &stress,
+           double                      *variables,
+           SymmetricTensor<4, 3>       *tangent) const override;
 
   private:
     double initial_strength;
     double residual_strength;
     double plastic_strain_factor; // invariant / equivalent plastic strain
-    double softening; // dc / d(equivalent plastic strain), kPa
+    double softening;             // dc / d(equivalent plastic strain), kPa
   };
 } // namespace Waker
 

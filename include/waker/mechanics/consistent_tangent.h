@@ -21,9 +21,9 @@ namespace Waker
 
     /// Linearise at `increment`.
     void
-    reinit(const StressUpdate<dim> &  stress_update,
+    reinit(const StressUpdate<dim>   &stress_update,
            const MaterialPoints<dim> &points,
-           const NodalVector &        increment);
+           const NodalVector         &increment);
 
     void
     vmult(NodalVector &dst, const NodalVector &src) const override;
@@ -51,7 +51,7 @@ namespace Waker
     }
 
   private:
-    const Weights<dim> *                                  weights;
+    const Weights<dim>                                   *weights;
     std::vector<typename StressUpdate<dim>::PointTangent> tangents;
   };
 } // namespace Waker

@@ -28,9 +28,9 @@ namespace Waker
 
     /// Linearise at `increment`.
     void
-    reinit(const StressUpdate<dim> &  stress_update,
+    reinit(const StressUpdate<dim>   &stress_update,
            const MaterialPoints<dim> &points,
-           const NodalVector &        increment);
+           const NodalVector         &increment);
 
     void
     vmult(NodalVector &dst, const NodalVector &src) const override;
@@ -57,10 +57,10 @@ namespace Waker
       double D[n_gauss][n_stresses][n_stresses];
     };
 
-    const Weights<dim> *                weights;
-    std::vector<int>                    element_of_cell; // by lower left node
-    std::vector<Element>                elements;        // the active ones
-    std::vector<SymmetricTensor<4, 3>>  material_tangents;
+    const Weights<dim>                *weights;
+    std::vector<int>                   element_of_cell; // by lower left node
+    std::vector<Element>               elements;        // the active ones
+    std::vector<SymmetricTensor<4, 3>> material_tangents;
     /// N_i at the Gauss points, and their gradients (1/m).
     double shape_values[n_gauss][n_vertices];
     double shape_gradients[n_gauss][n_vertices][dim];

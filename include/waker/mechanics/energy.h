@@ -33,16 +33,16 @@ namespace Waker
    */
   struct EnergyAccount
   {
-    double kinetic_start  = 0.;
-    double elastic_start  = 0.;
-    double kinetic        = 0.;
-    double elastic        = 0.;
-    double dissipation    = 0.;
-    double ramp_work      = 0.;
-    double mapping_loss   = 0.;
-    double gravity_work   = 0.; // potential energy released
-    double water_work     = 0.;
-    double support_work   = 0.;
+    double kinetic_start = 0.;
+    double elastic_start = 0.;
+    double kinetic       = 0.;
+    double elastic       = 0.;
+    double dissipation   = 0.;
+    double ramp_work     = 0.;
+    double mapping_loss  = 0.;
+    double gravity_work  = 0.; // potential energy released
+    double water_work    = 0.;
+    double support_work  = 0.;
 
     double
     remainder() const

@@ -32,13 +32,13 @@ namespace Waker
    */
   template <int dim>
   GravityReport
-  gravity_step(const Materials &     materials,
-               const Weights<dim> &  weights,
-               const Fixities<dim> & fixities,
-               const double          full_node_mass,
-               const double          tolerance,
-               NodalState &          nodes,
-               MaterialPoints<dim> & points);
+  gravity_step(const Materials     &materials,
+               const Weights<dim>  &weights,
+               const Fixities<dim> &fixities,
+               const double         full_node_mass,
+               const double         tolerance,
+               NodalState          &nodes,
+               MaterialPoints<dim> &points);
 } // namespace Waker
 
 #endif

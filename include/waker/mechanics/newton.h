@@ -15,9 +15,9 @@ namespace Waker
   /// What Newton did in one step.
   struct NewtonReport
   {
-    bool                converged         = false;
-    unsigned int        iterations        = 0; // linear systems solved
-    unsigned int        linear_iterations = 0;
+    bool         converged         = false;
+    unsigned int iterations        = 0; // linear systems solved
+    unsigned int linear_iterations = 0;
     /// Relative residual before each iteration and after the last.
     std::vector<double> residuals;
   };
@@ -38,8 +38,8 @@ namespace Waker
   public:
     /// All references must outlive this object.
     /// @param full_node_mass mass of a node inside the body (Mg)
-    NewtonSolver(const Weights<dim> &    weights,
-                 const Fixities<dim> &   fixities,
+    NewtonSolver(const Weights<dim>     &weights,
+                 const Fixities<dim>    &fixities,
                  const NewtonParameters &parameters,
                  const double            full_node_mass,
                  const double            spring_stiffness);
@@ -60,28 +60,28 @@ namespace Waker
      */
     NewtonReport
     solve(const MaterialPoints<dim> &points,
-          const Inertia &            inertia,
+          const Inertia             &inertia,
           const std::vector<double> &spring_targets,
-          StressUpdate<dim> &        stress_update,
-          NodalState &               nodes);
+          StressUpdate<dim>         &stress_update,
+          NodalState                &nodes);
 
   private:
     /// R and its relative norm.
     double
-    residual(const Inertia &            inertia,
+    residual(const Inertia             &inertia,
              const std::vector<double> &spring_targets,
-             const NodalState &         nodes);
+             const NodalState          &nodes);
 
-    const Fixities<dim> *    fixities;
-    NewtonParameters         parameters;
-    double                   full_node_mass;
+    const Fixities<dim>      *fixities;
+    NewtonParameters          parameters;
+    double                    full_node_mass;
     std::vector<unsigned int> spring_dofs;
     std::vector<double>       springs;
-    ConsistentTangent<dim>   consistent;
-    DoubleMappedTangent<dim> double_mapped;
-    LinearSolver             linear_solver;
-    NodalVector              R;
-    NodalVector              correction;
+    ConsistentTangent<dim>    consistent;
+    DoubleMappedTangent<dim>  double_mapped;
+    LinearSolver              linear_solver;
+    NodalVector               R;
+    NodalVector               correction;
   };
 } // namespace Waker
 

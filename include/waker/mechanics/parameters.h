@@ -16,9 +16,9 @@ namespace Waker
   /// Section "Time stepping".
   struct TimeParameters
   {
-    std::string scheme = "Newmark"; // or "explicit"
-    double time_step   = 0.01;      // s (Newmark)
-    double end_time    = 40.;       // s
+    std::string scheme    = "Newmark"; // or "explicit"
+    double      time_step = 0.01;      // s (Newmark)
+    double      end_time  = 40.;       // s
     /// The unbalanced force grows from 0 to full over this time (s); 0: off.
     double ramp_duration = 1.;
     /// A step that does not converge is halved at most this often.
@@ -39,10 +39,10 @@ namespace Waker
     std::string tangent = "consistent"; // or "double mapping"
     /// Converged when the mass-weighted norm of the residual is below this
     /// share of the external force's (see mechanics/newton.h).
-    double tolerance                = 1e-3;
+    double       tolerance          = 1e-3;
     unsigned int maximum_iterations = 20;
     /// Relative accuracy of the linear solves (inexact Newton).
-    double linear_tolerance                = 1e-2;
+    double       linear_tolerance          = 1e-2;
     unsigned int maximum_linear_iterations = 500;
     /// Start from v dt + a dt^2 / 2 instead of 0.
     bool predictor = true;
@@ -60,8 +60,8 @@ namespace Waker
     double acceleration = 9.81; // m/s^2, along -y; 0: no weight
     /// Set up the in-situ stress by an elastic, quasi-static step with the
     /// points fixed in place, under weight and water.
-    bool initial_stress = true;
-    double tolerance    = 1e-8; // of that step's residual
+    bool   initial_stress = true;
+    double tolerance      = 1e-8; // of that step's residual
 
     /// The acceleration (m/s^2) that turns unit weight into density: a case
     /// without weight (a vibrating bar) has its mass all the same.

@@ -21,7 +21,7 @@ namespace Waker
   /// initial values.
   template <int dim>
   void
-  declare_material_variables(const Materials &    materials,
+  declare_material_variables(const Materials     &materials,
                              MaterialPoints<dim> &points);
 
   /// Elastic energy of the points' stresses (kJ).
@@ -60,9 +60,9 @@ namespace Waker
      */
     void
     evaluate(const MaterialPoints<dim> &points,
-             const Weights<dim> &       weights,
-             const NodalVector &        increment,
-             NodalVector &              internal_force);
+             const Weights<dim>        &weights,
+             const NodalVector         &increment,
+             NodalVector               &internal_force);
 
     /// The derivative of V_p stress_p with respect to the gradient of the
     /// increment (see Kinematics::stress_derivative).
@@ -75,22 +75,22 @@ namespace Waker
     /// Stresses and force are not evaluated again.
     void
     tangents(const MaterialPoints<dim> &points,
-             const Weights<dim> &       weights,
-             const NodalVector &        increment,
+             const Weights<dim>        &weights,
+             const NodalVector         &increment,
              std::vector<PointTangent> &tangents) const;
 
     /// The materials' algorithmic tangents (kPa), for double mapping.
     void
-    material_tangents(const MaterialPoints<dim> &          points,
-                      const Weights<dim> &                 weights,
-                      const NodalVector &                  increment,
+    material_tangents(const MaterialPoints<dim>          &points,
+                      const Weights<dim>                 &weights,
+                      const NodalVector                  &increment,
                       std::vector<SymmetricTensor<4, 3>> &tangents) const;
 
     /// Write the stresses and variables of the last evaluation to the points,
     /// and sum up what happened at `increment`.
     StressReport
-    accept(const Weights<dim> & weights,
-           const NodalVector &  increment,
+    accept(const Weights<dim>  &weights,
+           const NodalVector   &increment,
            MaterialPoints<dim> &points) const;
 
   private:
@@ -98,10 +98,10 @@ namespace Waker
     void
     find_variables(const MaterialPoints<dim> &points);
 
-    const Materials *              materials;
-    bool                           objective_rate;
-    std::vector<std::vector<int>>  variable_arrays; // per material
-    unsigned int                   n_variables; // largest number per material
+    const Materials              *materials;
+    bool                          objective_rate;
+    std::vector<std::vector<int>> variable_arrays; // per material
+    unsigned int                  n_variables; // largest number per material
     std::vector<SymmetricTensor<2, 3>> new_stress;    // per point
     std::vector<double>                new_variables; // n_variables per point
     std::vector<double>                dissipation;   // per point, kPa

@@ -25,13 +25,13 @@ namespace Waker
      * @param mass lumped, Mg, one per node (dim dofs each)
      * @param springs stiffness of the penalty dofs (kN/m)
      */
-    SystemOperator(const Operator &                 stiffness,
+    SystemOperator(const Operator                  &stiffness,
                    const double                     ramp,
                    const double                     inertia,
-                   const std::vector<double> &      mass,
+                   const std::vector<double>       &mass,
                    const std::vector<unsigned int> &removed,
                    const std::vector<unsigned int> &spring_dofs,
-                   const std::vector<double> &      springs);
+                   const std::vector<double>       &springs);
 
     void
     vmult(NodalVector &dst, const NodalVector &src) const override;
@@ -46,13 +46,13 @@ namespace Waker
     }
 
   private:
-    const Operator *                 stiffness;
+    const Operator                  *stiffness;
     double                           ramp;
     double                           inertia;
-    const std::vector<double> *      mass;
+    const std::vector<double>       *mass;
     const std::vector<unsigned int> *removed;
     const std::vector<unsigned int> *spring_dofs;
-    const std::vector<double> *      springs;
+    const std::vector<double>       *springs;
   };
 
 
@@ -77,8 +77,8 @@ namespace Waker
     explicit LinearSolver(const unsigned int n_dofs);
 
     LinearReport
-    solve(const Operator &   A,
-          NodalVector &      x,
+    solve(const Operator    &A,
+          NodalVector       &x,
           const NodalVector &b,
           const double       tolerance,
           const unsigned int max_iterations);

@@ -24,12 +24,12 @@ namespace Waker
     double displacement_rate   = 0.; // rms over the mass, m/s
 
     // Work and energy of the step, kJ (per m in 2D). See mechanics/energy.h.
-    double gravity_work  = 0.;
-    double water_work    = 0.; // of the external force other than weight
-    double support_work  = 0.; // of moving supports
-    double ramp_work     = 0.; // withheld by the residual ramp
-    double mapping_loss  = 0.; // of kinetic energy, points <-> nodes
-    double dissipation   = 0.; // plastic
+    double gravity_work   = 0.;
+    double water_work     = 0.; // of the external force other than weight
+    double support_work   = 0.; // of moving supports
+    double ramp_work      = 0.; // withheld by the residual ramp
+    double mapping_loss   = 0.; // of kinetic energy, points <-> nodes
+    double dissipation    = 0.; // plastic
     double kinetic_energy = 0.; // of the points at the end
     double elastic_energy = 0.; // at the end
 
@@ -59,19 +59,19 @@ namespace Waker
      */
     virtual StepReport<dim>
     solve(const MaterialPoints<dim> &points,
-          const Weights<dim> &       weights,
+          const Weights<dim>        &weights,
           const double               t,
           const double               dt,
-          NodalState &               nodes) = 0;
+          NodalState                &nodes) = 0;
 
     /// Stresses, positions and velocities of the points; completes the report.
     virtual void
-    update_points(const Weights<dim> & weights,
+    update_points(const Weights<dim>  &weights,
                   const double         t,
                   const double         dt,
-                  NodalState &         nodes,
+                  NodalState          &nodes,
                   MaterialPoints<dim> &points,
-                  StepReport<dim> &    report) = 0;
+                  StepReport<dim>     &report) = 0;
   };
 
 
@@ -80,11 +80,11 @@ namespace Waker
   struct SchemeInput
   {
     const BackgroundGrid<dim> &grid;
-    const Weights<dim> &       weights;
-    const Materials &          materials;
-    const Fixities<dim> &      fixities;
-    const TimeParameters &     time;
-    const NewtonParameters &   newton;
+    const Weights<dim>        &weights;
+    const Materials           &materials;
+    const Fixities<dim>       &fixities;
+    const TimeParameters      &time;
+    const NewtonParameters    &newton;
     bool                       objective_rate;
     double                     gravity;        // m/s^2
     double                     full_node_mass; // Mg

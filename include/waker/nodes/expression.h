@@ -56,10 +56,10 @@ namespace Waker
     }
 
   private:
-    std::string expression;
+    std::string                          expression;
     std::unique_ptr<FunctionParser<dim>> parser;
-    bool moving;
-    bool uniform;
+    bool                                 moving;
+    bool                                 uniform;
   };
 } // namespace Waker
 

@@ -70,7 +70,7 @@ namespace Waker
   {
   public:
     /// @throws UserError if a region holds no node or an expression is wrong
-    Fixities(const BackgroundGrid<dim> &grid,
+    Fixities(const BackgroundGrid<dim>           &grid,
              const std::vector<FixityParameters> &parameters);
 
     ~Fixities();
@@ -93,7 +93,7 @@ namespace Waker
     struct Penalty
     {
       unsigned int dof;
-      double factor; // FixityParameters::penalty_factor
+      double       factor; // FixityParameters::penalty_factor
     };
 
     /// Dofs held by penalty springs, ascending.
@@ -113,14 +113,14 @@ namespace Waker
     /// Increments u(t + dt) - u(t) of the removed dofs (in the order of
     /// removed_list()), m. All zero, and cheap, where nothing moves.
     void
-    removed_increments(const double t,
-                       const double dt,
+    removed_increments(const double         t,
+                       const double         dt,
                        std::vector<double> &increments) const;
 
     /// The same for the penalty dofs, in the order of penalties().
     void
-    penalty_increments(const double t,
-                       const double dt,
+    penalty_increments(const double         t,
+                       const double         dt,
                        std::vector<double> &increments) const;
 
     /// Faces of the box that are closed: each of their nodes is held at rest in
@@ -136,11 +136,11 @@ namespace Waker
     struct Motion;
 
     std::vector<unsigned char> removed_dofs;
-    std::vector<unsigned int> removed_dof_list;
-    std::vector<Penalty> penalty_dofs;
-    bool moves                    = false;
-    unsigned int closed_face_bits = 0;
-    std::unique_ptr<Motion> motion;
+    std::vector<unsigned int>  removed_dof_list;
+    std::vector<Penalty>       penalty_dofs;
+    bool                       moves            = false;
+    unsigned int               closed_face_bits = 0;
+    std::unique_ptr<Motion>    motion;
   };
 } // namespace Waker
 

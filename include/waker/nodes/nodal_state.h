@@ -27,9 +27,9 @@ namespace Waker
       , new_acceleration(grid.n_dofs())
     {}
 
-    std::vector<double> mass;          // lumped, Mg; one per node
-    NodalVector         velocity;      // at the start of the step, m/s
-    NodalVector         acceleration;  // at the start of the step, m/s^2
+    std::vector<double> mass;             // lumped, Mg; one per node
+    NodalVector         velocity;         // at the start of the step, m/s
+    NodalVector         acceleration;     // at the start of the step, m/s^2
     NodalVector         external_force;   // weight and water, kN
     NodalVector         internal_force;   // at the end of the step, kN
     NodalVector         increment;        // displacement of the step, m

@@ -23,13 +23,13 @@ namespace Waker
    */
   struct FailureRecord
   {
-    bool   started             = false;
-    double initial_width       = 0.;  // W_i, m
-    double initial_height      = 0.;  // H_i, m
-    double initial_time        = -1.; // |W - W_i| or H (default), s
-    double initial_time_thesis = -1.; // W < W_i, s
-    double flooding_time       = -1.; // H < h or W = 0, s
-    DykeGeometry geometry;            // the last one measured
+    bool         started             = false;
+    double       initial_width       = 0.;  // W_i, m
+    double       initial_height      = 0.;  // H_i, m
+    double       initial_time        = -1.; // |W - W_i| or H (default), s
+    double       initial_time_thesis = -1.; // W < W_i, s
+    double       flooding_time       = -1.; // H < h or W = 0, s
+    DykeGeometry geometry;                  // the last one measured
 
     bool
     failed() const
@@ -49,7 +49,7 @@ namespace Waker
      * @param has_water without water nothing floods
      */
     void
-    update(const DykeGeometry &        geometry,
+    update(const DykeGeometry         &geometry,
            const double                time,
            const double                level,
            const bool                  has_water,

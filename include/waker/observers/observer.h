@@ -26,16 +26,16 @@ namespace Waker
     std::uint64_t                     step; // steps done
     double                            time; // s
     double                            dt;   // of the step done, s
-    const BackgroundGrid<dim> &       grid;
-    const MaterialPoints<dim> &       points;
-    const NodalState &                nodes;
-    const std::vector<double> &       proximity_field;
-    const Surface &                   surface;
+    const BackgroundGrid<dim>        &grid;
+    const MaterialPoints<dim>        &points;
+    const NodalState                 &nodes;
+    const std::vector<double>        &proximity_field;
+    const Surface                    &surface;
     const std::vector<LoadedSegment> &wetted;
-    const WaterResultant &            water;
-    const FailureRecord &             failure; // with the geometry
-    const StepReport<dim> &           report;
-    const EnergyAccount &             energy;
+    const WaterResultant             &water;
+    const FailureRecord              &failure; // with the geometry
+    const StepReport<dim>            &report;
+    const EnergyAccount              &energy;
     std::uint64_t                     unconverged_steps;
   };
 

@@ -18,10 +18,10 @@ namespace Waker
   {
     std::string directory = "output";
     /// Time between ParaView files (s); 0: none but the first and the last.
-    double interval = 0.1;
-    bool particles  = true;
-    bool surface    = true;
-    bool grid       = true;
+    double interval  = 0.1;
+    bool   particles = true;
+    bool   surface   = true;
+    bool   grid      = true;
     /// Time between checkpoints (simulated s); 0: only when interrupted.
     double checkpoint_interval = 1.;
 

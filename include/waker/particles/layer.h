@@ -16,12 +16,12 @@ namespace Waker
   template <int dim>
   struct Layer
   {
-    std::string path;           // "Soil profile/<name>"
-    Polygon corners;            // m, anticlockwise, inside the grid's box
-    double begin          = 0.; // extent along z (m); in 2D a slice of 1 m
-    double end            = 1.;
-    unsigned int material = 0; // number
-    Tensor<1, dim> velocity;   // m/s
+    std::string    path;          // "Soil profile/<name>"
+    Polygon        corners;       // m, anticlockwise, inside the grid's box
+    double         begin    = 0.; // extent along z (m); in 2D a slice of 1 m
+    double         end      = 1.;
+    unsigned int   material = 0; // number
+    Tensor<1, dim> velocity;     // m/s
 
     /// Volume (m^dim).
     double
@@ -37,15 +37,15 @@ namespace Waker
   template <int dim>
   Layer<dim>
   place_layer(const BackgroundGrid<dim> &grid,
-              const LayerParameters &parameters);
+              const LayerParameters     &parameters);
 
   /// Set the layer's material and velocity.
   /// @throws UserError ".../Material": unknown; ".../Velocity": wrong length
   template <int dim>
   void
-  fill_layer(const LayerParameters &parameters,
+  fill_layer(const LayerParameters          &parameters,
              const std::vector<std::string> &material_names,
-             Layer<dim> &layer);
+             Layer<dim>                     &layer);
 
   /// @throws UserError ".../Polygon" if two layers have more than 1e-9 of the
   /// smaller one in common

@@ -33,14 +33,14 @@ namespace Waker
   struct MaterialPoints
   {
     std::vector<std::uint64_t>         id;
-    std::vector<std::uint32_t>         material; // number in Case::materials
-    std::vector<double>                mass;     // Mg (per m in 2D)
-    std::vector<double>                volume;   // m^dim
+    std::vector<std::uint32_t>         material;  // number in Case::materials
+    std::vector<double>                mass;      // Mg (per m in 2D)
+    std::vector<double>                volume;    // m^dim
     std::vector<Tensor<1, dim>>        half_size; // of the support domain, m
-    std::vector<Point<dim>>            position;     // m
+    std::vector<Point<dim>>            position;  // m
     std::vector<Point<dim>>            initial_position; // m
-    std::vector<Tensor<1, dim>>        velocity;     // m/s
-    std::vector<Tensor<1, dim>>        acceleration; // m/s^2
+    std::vector<Tensor<1, dim>>        velocity;         // m/s
+    std::vector<Tensor<1, dim>>        acceleration;     // m/s^2
     std::vector<SymmetricTensor<2, 3>> stress; // kPa, tension positive
     std::vector<NamedArray>            scalars;
 

@@ -76,17 +76,17 @@ namespace Waker
    */
   template <int dim>
   MaterialPoints<dim>
-  make_material_points(const BackgroundGrid<dim> &grid,
+  make_material_points(const BackgroundGrid<dim>          &grid,
                        const std::vector<LayerParameters> &layers,
-                       const MaterialPointParameters &parameters,
-                       const std::vector<std::string> &material_names,
-                       const std::vector<double> &densities);
+                       const MaterialPointParameters      &parameters,
+                       const std::vector<std::string>     &material_names,
+                       const std::vector<double>          &densities);
 
   /// Volume of the layers (area x extent), m^dim: what the points must have.
   /// @throws UserError for polygons and extents as make_material_points()
   template <int dim>
   double
-  profile_volume(const BackgroundGrid<dim> &grid,
+  profile_volume(const BackgroundGrid<dim>          &grid,
                  const std::vector<LayerParameters> &layers);
 } // namespace Waker
 

@@ -16,7 +16,7 @@ namespace Waker
   struct SubCellPart
   {
     std::array<int, 2> index; // i, j
-    double share;             // of the sub-cell's area; after merging also > 1
+    double             share; // of the sub-cell's area; after merging also > 1
     std::array<double, 2> centroid; // after merging also outside the sub-cell
   };
 
@@ -39,12 +39,12 @@ namespace Waker
    */
   std::vector<SubCellPart>
   merge_small_parts(const std::vector<SubCellPart> &parts,
-                    const double minimum_share);
+                    const double                    minimum_share);
 
   /// A piece of an interval: the same in one dimension.
   struct IntervalPart
   {
-    int index;
+    int    index;
     double share;
     double centroid;
   };

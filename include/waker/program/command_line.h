@@ -18,14 +18,14 @@ namespace Waker
   /// What the user typed.
   struct CommandLine
   {
-    Command command = Command::none;
-    std::string file; // "-": standard input
+    Command                  command = Command::none;
+    std::string              file; // "-": standard input
     std::vector<std::string> overrides;
-    bool validate_only = false;
-    bool resume        = false;
-    bool overwrite     = false;
-    std::string format = "prm"; // of `parameters`
-    std::string text;           // to print for `none`
+    bool                     validate_only = false;
+    bool                     resume        = false;
+    bool                     overwrite     = false;
+    std::string              format        = "prm"; // of `parameters`
+    std::string              text;                  // to print for `none`
   };
 
   /// @throws UserError for anything that cannot be understood

@@ -45,8 +45,8 @@ namespace Waker
    * them as long as `prm` sets values.
    */
   void
-  declare_parameters(ParameterHandler &prm,
-                     Parameters &parameters,
+  declare_parameters(ParameterHandler     &prm,
+                     Parameters           &parameters,
                      const ParameterNames &names);
 
   /// What has been declared, in that order, with the values of now.

@@ -49,9 +49,9 @@ namespace Waker
    * @throws UserError with file and line, or with "--set Section/Name"
    */
   std::unique_ptr<Parameters>
-  read_parameters(const std::string &source,
+  read_parameters(const std::string              &source,
                   const std::vector<std::string> &overrides,
-                  ParameterLocations *locations = nullptr);
+                  ParameterLocations             *locations = nullptr);
 } // namespace Waker
 
 #endif

@@ -30,7 +30,7 @@ namespace Waker
 
   struct PrmContents
   {
-    std::vector<PrmEntry> entries;
+    std::vector<PrmEntry>   entries;
     std::vector<PrmSection> sections;
   };
 

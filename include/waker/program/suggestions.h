@@ -13,12 +13,12 @@ namespace Waker
   /// The candidate that `name` most likely stands for (fewest edits, capitals
   /// ignored), or nothing where none is near.
   std::string
-  nearest_name(const std::string &name,
+  nearest_name(const std::string              &name,
                const std::vector<std::string> &candidates);
 
   /// @throws UserError if the section does not exist, with the nearest one
   void
-  check_section(const PrmSection &section,
+  check_section(const PrmSection                     &section,
                 const std::vector<DeclaredParameter> &declared);
 
   /**
@@ -27,7 +27,7 @@ namespace Waker
    * where that name is at home
    */
   const DeclaredParameter &
-  find_declared(const PrmEntry &entry,
+  find_declared(const PrmEntry                       &entry,
                 const std::vector<DeclaredParameter> &declared);
 } // namespace Waker
 

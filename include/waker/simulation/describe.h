@@ -20,11 +20,11 @@ namespace Waker
   /// What came out, in a few lines.
   template <int dim>
   void
-  describe_result(const State<dim> & state,
+  describe_result(const State<dim>  &state,
                   const std::string &outcome,
                   const std::string &reason,
                   const double       wall_time,
-                  Log &              log);
+                  Log               &log);
 } // namespace Waker
 
 #endif

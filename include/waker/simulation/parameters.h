@@ -21,7 +21,7 @@ namespace Waker
   {
     std::vector<double> lower_corner = {-6., 0.}; // m
     std::vector<double> upper_corner = {42., 6.}; // m
-    double cell_size                 = 0.25;      // m
+    double              cell_size    = 0.25;      // m
 
     void
     add_parameters(ParameterHandler &prm);
@@ -52,22 +52,22 @@ namespace Waker
    */
   struct Parameters
   {
-    unsigned int dimension = 2;
-    GridParameters grid;
-    MaterialPointParameters points;
+    unsigned int                    dimension = 2;
+    GridParameters                  grid;
+    MaterialPointParameters         points;
     std::vector<MaterialParameters> materials;
-    std::vector<LayerParameters> layers;
-    std::vector<FixityParameters> fixities;
-    GravityParameters gravity;
-    WaterParameters water;
-    SurfaceParameters surface;
-    MappingParameters mapping;
-    TimeParameters time;
-    NewtonParameters newton;
-    InitialFailureParameters initial_failure;
-    StopParameters stop;
-    StrengthReductionParameters strength_reduction;
-    OutputParameters output;
+    std::vector<LayerParameters>    layers;
+    std::vector<FixityParameters>   fixities;
+    GravityParameters               gravity;
+    WaterParameters                 water;
+    SurfaceParameters               surface;
+    MappingParameters               mapping;
+    TimeParameters                  time;
+    NewtonParameters                newton;
+    InitialFailureParameters        initial_failure;
+    StopParameters                  stop;
+    StrengthReductionParameters     strength_reduction;
+    OutputParameters                output;
 
     /// The .prm text of all values used, and its hash: they go with every
     /// output. Set by the reader; `hash` leaves "Output" and "Stop rules" and

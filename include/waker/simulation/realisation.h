@@ -45,8 +45,8 @@ namespace Waker
     next_time_step() const;
 
   private:
-    const Case<dim> *                the_case;
-    State<dim> *                     state;
+    const Case<dim>                 *the_case;
+    State<dim>                      *state;
     Scene<dim>                       scene;
     std::unique_ptr<TimeScheme<dim>> scheme;
     StepReport<dim>                  report; // of the last step

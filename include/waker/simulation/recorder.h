@@ -49,7 +49,7 @@ namespace Waker
     checkpoint(const State<dim> &state, const bool now);
 
     void
-    write_summary(const State<dim> & state,
+    write_summary(const State<dim>  &state,
                   const std::string &outcome,
                   const std::string &stop_reason,
                   const double       wall_time) const;

@@ -33,9 +33,9 @@ namespace Waker
    */
   template <int dim>
   RunStatus
-  run(const Parameters & parameters,
-      const RunOptions & options,
-      const MPI_Comm     communicator);
+  run(const Parameters &parameters,
+      const RunOptions &options,
+      const MPI_Comm    communicator);
 
   /**
    * Find the factor of safety by strength reduction: realisations with all
@@ -48,9 +48,9 @@ namespace Waker
    */
   template <int dim>
   RunStatus
-  run_strength_reduction(const Parameters & parameters,
-                         const RunOptions & options,
-                         const MPI_Comm     communicator);
+  run_strength_reduction(const Parameters &parameters,
+                         const RunOptions &options,
+                         const MPI_Comm    communicator);
 } // namespace Waker
 
 #endif
