@@ -86,6 +86,7 @@ namespace Waker
                                 "statistics",
                                 "summary.json",
                                 "particles.pvd",
+                                "strength_reduction.csv",
                                 "surface.pvd.tmp",
                                 "solution/particles-00012.vtu",
                                 "solution/grid-123456.vtu",

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_output_checkpoint_h
+#define waker_output_checkpoint_h
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+namespace Waker
+{
+  /// What a slot holds.
+  struct Checkpoint
+  {
+    /// Of the format of the file, not of the blob in it.
+    static constexpr std::uint32_t schema_version = 1;
+
+    std::uint64_t step = 0;  // number of steps done
+    std::string   case_hash; // Parameters::hash of the run
+    std::string   program;   // version and build of the program that wrote it
+    std::string   blob;      // the serialised state
+  };
+
+  /**
+   * Checkpoints on disk, in two slots that are written in turn:
+   * "checkpoints/checkpoint-0.bin" and "-1.bin". A slot is written as a
+   * temporary file, forced to the disk and renamed, so that at any time, also
+   * after SIGKILL or a power cut, at least one slot is whole.
+   *
+   * Format, little endian: magic "WAKERCP\n", schema version (u32), CRC-32 of
+   * all that follows and of the schema version (u32), size of the rest (u64);
+   * then step (u64) and case hash, program and blob, each as length (u64) and
+   * bytes. Magic, schema version, CRC and size stay where they are in later
+   * versions of the schema.
+   */
+  class CheckpointSlots
+  {
+  public:
+    static constexpr unsigned int n_slots = 2;
+
+    /**
+     * @param directory the output folder; "checkpoints/" is made in it when
+     *        the first checkpoint is written
+     * @param case_hash Parameters::hash of this run
+     */
+    CheckpointSlots(const std::string &directory, const std::string &case_hash);
+
+    /// Write the state after `step` steps to the slot that is not the newest.
+    /// @throws UserError "Output/Directory" if it cannot be written
+    void
+    write(const std::uint64_t step, const std::string &blob);
+
+    /**
+     * The newest whole checkpoint.
+     *
+     * @param warning set to a line for the user if a slot is damaged and the
+     *        other one is used; otherwise left empty
+     * @throws UserError "Output/Directory" if there is none, if all are
+     *         damaged, or if the newest belongs to another case or has a newer
+     *         schema version
+     */
+    Checkpoint
+    read_latest(std::string &warning);
+
+    /// Path of a slot.
+    std::string
+    slot_path(const unsigned int slot) const;
+
+  private:
+    std::string  directory;
+    std::string  case_hash;
+    unsigned int next_slot = 0;
+  };
+} // namespace Waker
+
+#endif

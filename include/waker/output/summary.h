@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_output_summary_h
+#define waker_output_summary_h
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace Waker
+{
+  /**
+   * What came out of a run: summary.json. Its keys are the names of the
+   * members; times that did not occur, and numbers that are not finite, are
+   * null.
+   */
+  struct Summary
+  {
+    static constexpr unsigned int current_schema_version = 1;
+
+    unsigned int schema_version = current_schema_version;
+
+    /// "stable", "initial failure", "flooding" or "numerical failure".
+    std::string outcome;
+    /// Why the run ended, in words.
+    std::string stop_reason;
+
+    /// Default and thesis's reading (see control/), s.
+    std::optional<double> initial_failure_time;
+    std::optional<double> initial_failure_time_thesis;
+    std::optional<double> flooding_time;
+
+    double initial_width   = 0.; // W_i, m
+    double residual_width  = 0.; // W at the end, m
+    double residual_height = 0.; // H at the end, m
+    double end_time        = 0.; // s
+
+    std::uint64_t steps             = 0;
+    std::uint64_t newton_iterations = 0;
+    std::uint64_t linear_iterations = 0;
+    std::uint64_t unconverged_steps = 0;
+    std::uint64_t particles         = 0;
+
+    double wall_time = 0.; // s
+
+    /// Parameters::hash
+    std::string parameters_hash;
+
+    // Of the program that runs; filled in by the constructor.
+    std::string version;
+    std::string compiler;
+    std::string build_flags;
+
+    Summary();
+
+    /// As temporary file and rename.
+    /// @throws UserError "Output/Directory" if it cannot be written
+    void
+    write(const std::string &path) const;
+
+    /// @throws UserError with the path if the file is missing, is not a
+    ///         summary, or has a newer schema version
+    static Summary
+    read(const std::string &path);
+  };
+} // namespace Waker
+
+#endif

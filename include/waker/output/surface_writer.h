@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_output_surface_writer_h
+#define waker_output_surface_writer_h
+
+#include <string>
+#include <vector>
+
+namespace Waker
+{
+  struct LoadedSegment;
+  struct Surface;
+  struct WaterParameters;
+
+  /**
+   * Write the detected surface to a .vtu file, one line cell per segment, and
+   * the wetted segments as further lines on top of them.
+   *
+   * Fields: chain (number; -1 on wetted lines), on_face (see SurfaceChain; -1
+   * on wetted lines), wetted (0 or 1) and pressure (kPa, of the water; 0 on
+   * chains).
+   *
+   * @param time of the state (s), stored in the file
+   */
+  void
+  write_surface(const Surface                    &surface,
+                const std::vector<LoadedSegment> &wetted_segments,
+                const WaterParameters            &water,
+                const double                      time,
+                const std::string                &path);
+} // namespace Waker
+
+#endif

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/grid/background_grid.h>
+#include <waker/output/grid_writer.h>
+
+#include "vtu.h"
+#include <array>
+
+namespace Waker
+{
+  namespace
+  {
+    /// Steps in node numbers from a cell's lower left node to its vertices, in
+    /// deal.II's order.
+    template <int dim>
+    std::array<unsigned int, (1 << dim)>
+    vertex_offsets(const BackgroundGrid<dim> &grid)
+    {
+      std::array<unsigned int, (1 << dim)> offsets{};
+      for (unsigned int v = 0; v < offsets.size(); ++v)
+        for (unsigned int d = 0; d < dim; ++d)
+          if ((v >> d) & 1u)
+            offsets[v] += grid.stride(d);
+      return offsets;
+    }
+  } // namespace
+
+
+  template <int dim>
+  void
+  write_grid(const BackgroundGrid<dim> &grid,
+             const std::vector<double> &node_mass,
+             const GridFields          &data,
+             const double               time,
+             const std::string         &path)
+  {
+    AssertDimension(node_mass.size(), grid.n_nodes());
+
+    VtuFields fields;
+    fields.add_scalar("mass", "Mg");
+    for (const GridFields::Scalar &scalar : data.scalars)
+      {
+        AssertDimension(scalar.values->size(), grid.n_nodes());
+        fields.add_scalar(scalar.name, scalar.unit);
+      }
+    for (const GridFields::Vector &vector : data.vectors)
+      {
+        AssertDimension(vector.values->size(), grid.n_dofs());
+        fields.add_vector(vector.name, vector.unit, dim);
+      }
+
+    const auto                                offsets = vertex_offsets(grid);
+    std::vector<DataOutBase::Patch<dim, dim>> patches;
+    for (unsigned int node = 0; node < grid.n_nodes(); ++node)
+      {
+        // The cell above and to the right of this node, if there is one.
+        const auto index   = grid.node_index(node);
+        bool       is_cell = true;
+        for (unsigned int d = 0; d < dim; ++d)
+          is_cell =
+            is_cell &&
+            index[d] + 1 < static_cast<int>(grid.n_nodes_per_direction()[d]);
+        if (!is_cell)
+          continue;
+        bool has_mass = false;
+        for (const unsigned int offset : offsets)
+          has_mass = has_mass || node_mass[node + offset] > 0.;
+        if (!has_mass)
+          continue;
+
+        DataOutBase::Patch<dim, dim> patch;
+        patch.reference_cell = ReferenceCells::get_hypercube<dim>();
+        patch.patch_index    = patches.size();
+        patch.data.reinit(fields.n_components(), offsets.size());
+        for (unsigned int v = 0; v < offsets.size(); ++v)
+          {
+            const unsigned int i = node + offsets[v];
+            patch.vertices[v]    = grid.node_position(i);
+
+            unsigned int c   = 0;
+            const auto   add = [&](const double value) {
+              patch.data(c++, v) = static_cast<float>(value);
+            };
+            add(node_mass[i]);
+            for (const GridFields::Scalar &scalar : data.scalars)
+              add((*scalar.values)[i]);
+            for (const GridFields::Vector &vector : data.vectors)
+              for (unsigned int d = 0; d < dim; ++d)
+                add(vector.values->local_element(dim * i + d));
+          }
+        patches.push_back(std::move(patch));
+      }
+
+    fields.write(patches, time, path);
+  }
+
+
+  template void
+  write_grid(const BackgroundGrid<2> &,
+             const std::vector<double> &,
+             const GridFields &,
+             const double,
+             const std::string &);
+  template void
+  write_grid(const BackgroundGrid<3> &,
+             const std::vector<double> &,
+             const GridFields &,
+             const double,
+             const std::string &);
+} // namespace Waker

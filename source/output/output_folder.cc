@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/errors.h>
+#include <waker/output/files.h>
+#include <waker/output/output_folder.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <unistd.h>
+#include <vector>
+
+namespace Waker
+{
+  namespace fs = std::filesystem;
+
+  namespace
+  {
+    [[noreturn]] void
+    refuse(const std::string &what, const std::string &allowed)
+    {
+      throw UserError("Output/Directory", what, allowed);
+    }
+
+
+    bool
+    ends_with(const std::string &text, const std::string &end)
+    {
+      return text.size() >= end.size() &&
+             text.compare(text.size() - end.size(), end.size(), end) == 0;
+    }
+
+
+
+    /// "particles-00012.vtu" of "particles-" and ".vtu"?
+    bool
+    is_numbered(const std::string &name,
+                const std::string &start,
+                const std::string &end)
+    {
+      if (name.compare(0, start.size(), start) != 0 || !ends_with(name, end) ||
+          name.size() <= start.size() + end.size())
+        return false;
+      return std::all_of(name.begin() + start.size(),
+                         name.end() - end.size(),
+                         [](const char c) { return c >= '0' && c <= '9'; });
+    }
+
+
+
+    /// Remove the files of a folder whose names, without ".tmp", `is_ours`
+    /// knows.
+    template <typename Predicate>
+    void
+    remove_files(const fs::path &folder, const Predicate &is_ours)
+    {
+      std::error_code error;
+      if (!fs::is_directory(folder, error))
+        return;
+      std::vector<fs::path> found;
+      for (const auto &entry : fs::directory_iterator(folder))
+        {
+          std::string name = entry.path().filename().string();
+          if (ends_with(name, ".tmp"))
+            name.resize(name.size() - 4);
+          if (entry.is_regular_file() && is_ours(name))
+            found.push_back(entry.path());
+        }
+      for (const fs::path &path : found)
+        if (!fs::remove(path, error) && error)
+          refuse("cannot remove '" + path.string() + "': " + error.message(),
+                 "a folder whose files may be removed");
+    }
+
+
+
+    void
+    remove_run(const fs::path &folder)
+    {
+      remove_files(folder, [](const std::string &name) {
+        for (const char *const ours : {"parameters.prm",
+                                       "log.txt",
+                                       "statistics",
+                                       "summary.json",
+                                       "particles.pvd",
+                                       "surface.pvd",
+                                       "grid.pvd",
+                                       "strength_reduction.csv",
+                                       "strength_reduction.json"})
+          if (name == ours)
+            return true;
+        return false;
+      });
+      remove_files(folder / "solution", [](const std::string &name) {
+        return is_numbered(name, "particles-", ".vtu") ||
+               is_numbered(name, "surface-", ".vtu") ||
+               is_numbered(name, "grid-", ".vtu");
+      });
+      remove_files(folder / "checkpoints", [](const std::string &name) {
+        return is_numbered(name, "checkpoint-", ".bin");
+      });
+
+      // These fail, as they should, where something of the user's is left.
+      std::error_code ignored;
+      fs::remove(folder / "solution", ignored);
+      fs::remove(folder / "checkpoints", ignored);
+    }
+
+
+    void
+    make_folder(const fs::path &folder)
+    {
+      std::error_code error;
+      fs::create_directories(folder, error);
+      if (error)
+        refuse("cannot make the folder '" + folder.string() +
+                 "': " + error.message(),
+               "a folder that can be made");
+    }
+  } // namespace
+
+
+  void
+  check_output_folder(const std::string &directory, const FolderMode mode)
+  {
+    if (directory.empty())
+      refuse("is empty", "the path of a folder");
+
+    std::error_code error;
+    const fs::path  folder(directory);
+    if (!fs::exists(folder, error))
+      {
+        if (mode == FolderMode::resume)
+          refuse("'" + directory + "' does not exist",
+                 "the folder of the run to be resumed");
+        // The nearest folder above that exists is where we would make it.
+        fs::path parent = fs::absolute(folder, error).lexically_normal();
+        while (parent.has_relative_path() && !fs::exists(parent, error))
+          parent = parent.parent_path();
+        if (!fs::is_directory(parent, error))
+          refuse("cannot make '" + directory + "': '" + parent.string() +
+                   "' is not a folder",
+                 "a folder that can be made");
+        if (::access(parent.c_str(), W_OK | X_OK) != 0)
+          refuse("cannot make '" + directory + "' in '" + parent.string() +
+                   "': " + std::strerror(errno),
+                 "a folder that can be made");
+        return;
+      }
+
+    if (!fs::is_directory(folder, error))
+      refuse("'" + directory + "' is a file", "a folder, or a new name");
+    if (::access(folder.c_str(), R_OK | W_OK | X_OK) != 0)
+      refuse("'" + directory +
+               "' cannot be written to: " + std::strerror(errno),
+             "a writable folder");
+    if (mode == FolderMode::must_be_new && !fs::is_empty(folder, error))
+      refuse("'" + directory + "' is not empty",
+             "an empty or new folder; or --overwrite, or --resume");
+  }
+
+
+  void
+  prepare_output_folder(const std::string &directory,
+                        const FolderMode   mode,
+                        const std::string &parameters)
+  {
+    check_output_folder(directory, mode);
+    const fs::path folder(directory);
+    make_folder(folder);
+    if (mode == FolderMode::overwrite)
+      remove_run(folder);
+    make_folder(folder / "solution");
+    write_file(join_path(directory, "parameters.prm"), parameters);
+  }
+} // namespace Waker

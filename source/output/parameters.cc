@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/parameter_handler.h>
+
+#include <waker/base/errors.h>
+#include <waker/output/parameters.h>
+
+namespace Waker
+{
+  void
+  OutputParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Directory",
+                      directory,
+                      "Folder that the run writes; made if it is not there. "
+                      "One that holds files already needs --overwrite or "
+                      "--resume.",
+                      Patterns::Anything());
+    prm.add_parameter("Interval",
+                      interval,
+                      "Simulated time between ParaView files (s). 0: only the "
+                      "first and the last state.",
+                      Patterns::Double(0.));
+    prm.add_parameter("Particles",
+                      particles,
+                      "Write particles.pvd: the material points.",
+                      Patterns::Bool());
+    prm.add_parameter("Surface",
+                      surface,
+                      "Write surface.pvd: the detected surface.",
+                      Patterns::Bool());
+    prm.add_parameter("Grid",
+                      grid,
+                      "Write grid.pvd: the background grid.",
+                      Patterns::Bool());
+    prm.add_parameter("Checkpoint interval",
+                      checkpoint_interval,
+                      "Simulated time between checkpoints (s). 0: only when "
+                      "the run is interrupted.",
+                      Patterns::Double(0.));
+  }
+
+
+  void
+  OutputParameters::check() const
+  {
+    if (directory.empty())
+      throw UserError("Output/Directory", "is empty", "the name of a folder");
+    if (!(interval >= 0.))
+      throw UserError("Output/Interval",
+                      "is " + Patterns::Tools::to_string(interval) + " s",
+                      "0 or a positive time");
+    if (!(checkpoint_interval >= 0.))
+      throw UserError("Output/Checkpoint interval",
+                      "is " + Patterns::Tools::to_string(checkpoint_interval) +
+                        " s",
+                      "0 or a positive time");
+  }
+} // namespace Waker

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/output/files.h>
+#include <waker/output/pvd.h>
+
+#include <cstdio>
+#include <filesystem>
+
+namespace Waker
+{
+  namespace
+  {
+    std::string
+    file_of(const std::string &name, const std::size_t number)
+    {
+      char digits[24];
+      std::snprintf(digits, sizeof(digits), "%05zu", number);
+      return "solution/" + name + "-" + digits + ".vtu";
+    }
+  } // namespace
+
+
+  PvdSeries::PvdSeries(const std::string &folder, const std::string &name)
+    : folder(folder)
+    , name(name)
+  {}
+
+
+  std::string
+  PvdSeries::next_file() const
+  {
+    return file_of(name, series.size());
+  }
+
+
+  std::string
+  PvdSeries::next_path() const
+  {
+    return join_path(folder, next_file());
+  }
+
+
+  void
+  PvdSeries::add(const double time)
+  {
+    series.push_back({time, next_file()});
+    write_pvd();
+  }
+
+
+  void
+  PvdSeries::restore(const std::vector<PvdEntry> &entries)
+  {
+    series = entries;
+
+    // Files are numbered without gaps: those the checkpoint does not know
+    // begin at the next number.
+    std::error_code ignored;
+    for (std::size_t number = series.size();; ++number)
+      {
+        const std::string path = join_path(folder, file_of(name, number));
+        std::filesystem::remove(path + ".tmp", ignored);
+        if (!std::filesystem::remove(path, ignored))
+          break;
+      }
+
+    if (!series.empty())
+      write_pvd();
+    else
+      std::filesystem::remove(join_path(folder, name + ".pvd"), ignored);
+  }
+
+
+  void
+  PvdSeries::write_pvd() const
+  {
+    std::string text = "<?xml version=\"1.0\"?>\n"
+                       "<VTKFile type=\"Collection\" version=\"0.1\" "
+                       "byte_order=\"LittleEndian\">\n"
+                       "<Collection>\n";
+    for (const PvdEntry &entry : series)
+      {
+        char time[32];
+        std::snprintf(time, sizeof(time), "%.10g", entry.time);
+        text += "<DataSet timestep=\"" + std::string(time) +
+                "\" group=\"\" part=\"0\" file=\"" + entry.file + "\"/>\n";
+      }
+    text += "</Collection>\n</VTKFile>\n";
+    write_file(join_path(folder, name + ".pvd"), text);
+  }
+} // namespace Waker

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/errors.h>
+#include <waker/base/version.h>
+#include <waker/output/files.h>
+#include <waker/output/summary.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+namespace Waker
+{
+  namespace
+  {
+    using Json = nlohmann::ordered_json;
+
+    Json
+    to_json(const std::optional<double> &value)
+    {
+      return value ? Json(*value) : Json(nullptr);
+    }
+
+
+    void
+    from_json(const Json &json, std::optional<double> &value)
+    {
+      if (json.is_null())
+        value.reset();
+      else
+        value = json.get<double>();
+    }
+
+
+    void
+    from_json(const Json &json, double &value)
+    {
+      value = json.is_null() ? std::numeric_limits<double>::quiet_NaN()
+                             : json.get<double>();
+    }
+
+
+    void
+    from_json(const Json &json, std::string &value)
+    {
+      value = json.get<std::string>();
+    }
+
+
+    template <typename Integer>
+    void
+    from_json(const Json &json, Integer &value)
+    {
+      value = json.get<Integer>();
+    }
+
+
+    Json
+    to_json(const double value)
+    {
+      return std::isfinite(value) ? Json(value) : Json(nullptr);
+    }
+
+
+    template <typename Other>
+    Json
+    to_json(const Other &value)
+    {
+      return Json(value);
+    }
+
+
+    /// Call f(key, member) for each member, in the order of the file.
+    template <typename Self, typename Function>
+    void
+    for_each_member(Self &s, const Function &f)
+    {
+      f("schema_version", s.schema_version);
+      f("outcome", s.outcome);
+      f("stop_reason", s.stop_reason);
+      f("initial_failure_time", s.initial_failure_time);
+      f("initial_failure_time_thesis", s.initial_failure_time_thesis);
+      f("flooding_time", s.flooding_time);
+      f("initial_width", s.initial_width);
+      f("residual_width", s.residual_width);
+      f("residual_height", s.residual_height);
+      f("end_time", s.end_time);
+      f("steps", s.steps);
+      f("newton_iterations", s.newton_iterations);
+      f("linear_iterations", s.linear_iterations);
+      f("unconverged_steps", s.unconverged_steps);
+      f("particles", s.particles);
+      f("wall_time", s.wall_time);
+      f("parameters_hash", s.parameters_hash);
+      f("version", s.version);
+      f("compiler", s.compiler);
+      f("build_flags", s.build_flags);
+    }
+  } // namespace
+
+
+  Summary::Summary()
+    : version(WAKER_VERSION)
+#ifdef __clang__
+    , compiler("clang " __clang_version__)
+#else
+    , compiler("g++ " __VERSION__)
+#endif
+    , build_flags(WAKER_BUILD_TYPE ", native " WAKER_NATIVE)
+  {}
+
+
+  void
+  Summary::write(const std::string &path) const
+  {
+    Json json = Json::object();
+    for_each_member(*this, [&](const char *const key, const auto &member) {
+      json[key] = to_json(member);
+    });
+    write_file(path, json.dump(2) + "\n");
+  }
+
+
+  Summary
+  Summary::read(const std::string &path)
+  {
+    Summary summary;
+    try
+      {
+        const Json json    = Json::parse(read_file(path));
+        const auto version = json.at("schema_version").get<unsigned int>();
+        if (version > current_schema_version)
+          throw UserError(path,
+                          "has schema version " + std::to_string(version),
+                          "versions up to " +
+                            std::to_string(current_schema_version));
+        for_each_member(summary, [&](const char *const key, auto &member) {
+          from_json(json.at(key), member);
+        });
+      }
+    catch (const nlohmann::json::exception &e)
+      {
+        throw UserError(path,
+                        std::string("is not a summary: ") + e.what(),
+                        "a summary.json written by Waker");
+      }
+    return summary;
+  }
+} // namespace Waker
