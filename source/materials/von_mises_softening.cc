@@ -49,13 +49,28 @@ namespace Waker
     const double residual       = variables[1];
     double      &plastic_strain = variables[2];
 
-    add_elastic_stress(strain_increment, stress); // the trial stress
-    const double                pressure = trace(stress) / 3.;
-    const SymmetricTensor<2, 3> s        = deviator(stress);
-    const double                q = std::sqrt(1.5) * s.norm(); // sqrt(3 J_2)
+    // The trial stress, component by component: this is the hottest function
+    // of the program, and tensor expressions cost it a factor of two.
+    const double volumetric = strain_increment.access_raw_entry(0) +
+                              strain_increment.access_raw_entry(1) +
+                              strain_increment.access_raw_entry(2);
+    const double mean_add = (K - 2. / 3. * G) * volumetric;
+    double       s[6]; // xx, yy, zz, xy, xz, yz
+    for (unsigned int a = 0; a < 6; ++a)
+      s[a] = stress.access_raw_entry(a) +
+             2. * G * strain_increment.access_raw_entry(a) +
+             (a < 3 ? mean_add : 0.);
+    const double pressure = (s[0] + s[1] + s[2]) / 3.;
+    for (unsigned int a = 0; a < 3; ++a)
+      s[a] -= pressure;
+    const double squared = s[0] * s[0] + s[1] * s[1] + s[2] * s[2] +
+                           2. * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]);
 
-    if (q <= sqrt_3 * strength)
+    // q^2 = 3/2 s:s against 3 c^2.
+    if (squared <= 2. * strength * strength)
       {
+        for (unsigned int a = 0; a < 6; ++a)
+          stress.access_raw_entry(a) = s[a] + (a < 3 ? pressure : 0.);
         if (tangent != nullptr)
           *tangent = elastic_tangent;
         return 0.;
@@ -63,9 +78,10 @@ namespace Waker
 
     // Radial return, closed form: the strength after the step is linear in the
     // multiplier until it reaches its residual value.
-    double hardening    = strength > residual ? sqrt_3 * softening : 0.; // dq
-    double multiplier   = (q - sqrt_3 * strength) / (3. * G + hardening);
-    double new_strength = strength + hardening / sqrt_3 * multiplier;
+    const double q            = std::sqrt(1.5 * squared); // sqrt(3 J_2)
+    double       hardening    = strength > residual ? sqrt_3 * softening : 0.;
+    double       multiplier   = (q - sqrt_3 * strength) / (3. * G + hardening);
+    double       new_strength = strength + hardening / sqrt_3 * multiplier;
     if (new_strength < residual)
       {
         new_strength = residual;
@@ -74,15 +90,19 @@ namespace Waker
       }
     const double scale = sqrt_3 * new_strength / q;
 
-    stress   = scale * s + pressure * unit_symmetric_tensor<3>();
+    for (unsigned int a = 0; a < 6; ++a)
+      stress.access_raw_entry(a) = scale * s[a] + (a < 3 ? pressure : 0.);
     strength = new_strength;
     plastic_strain += plastic_strain_factor * multiplier;
 
     if (tangent != nullptr)
       {
-        // K 1x1 + 2G (b1 I_dev - b2 n x n): numerics of a radial return with
-        // linear hardening (Simo & Hughes 1998, box 3.2).
-        const SymmetricTensor<2, 3> n = s / s.norm();
+        // K 1x1 + 2G (b1 I_dev - b2 n x n): radial return with linear
+        // hardening (Simo & Hughes 1998, box 3.2).
+        SymmetricTensor<2, 3> n; // s / |s|
+        const double          inverse = 1. / std::sqrt(squared);
+        for (unsigned int a = 0; a < 6; ++a)
+          n.access_raw_entry(a) = inverse * s[a];
         const double beta2 = scale - hardening / (3. * G + hardening);
         *tangent =
           scale * elastic_tangent - (2. * G * beta2) * outer_product(n, n);

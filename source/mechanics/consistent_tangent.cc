@@ -63,10 +63,9 @@ namespace Waker
   template <int dim>
   void
   ConsistentTangent<dim>::reinit(const StressUpdate<dim>   &stress_update,
-                                 const MaterialPoints<dim> &points,
-                                 const NodalVector         &increment)
+                                 const MaterialPoints<dim> &points)
   {
-    stress_update.tangents(points, *weights, increment, tangents);
+    stress_update.tangents(points, tangents);
   }
 
 

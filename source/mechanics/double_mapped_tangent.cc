@@ -72,15 +72,11 @@ namespace Waker
   template <int dim>
   void
   DoubleMappedTangent<dim>::reinit(const StressUpdate<dim>   &stress_update,
-                                   const MaterialPoints<dim> &points,
-                                   const NodalVector         &increment)
+                                   const MaterialPoints<dim> &points)
   {
     const auto  &grid = weights->background_grid();
     const double h    = grid.cell_size();
-    stress_update.material_tangents(points,
-                                    *weights,
-                                    increment,
-                                    material_tangents);
+    stress_update.material_tangents(points, material_tangents);
     for (const Element &element : elements)
       element_of_cell[element.node] = -1;
     elements.clear();

@@ -181,8 +181,7 @@ namespace Waker
       report.water_work -= report.gravity_work;
 
       stress_update.evaluate(points, weights, stretched, nodes.internal_force);
-      const StressReport stress =
-        stress_update.accept(weights, stretched, points);
+      const StressReport stress  = stress_update.accept(points);
       report.mean_plastic_strain = stress.plastic_strain;
       report.displacement_rate   = std::sqrt(displacement / mass) / dt;
       report.dissipation         = stress.dissipation;

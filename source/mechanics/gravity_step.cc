@@ -257,7 +257,7 @@ namespace Waker
                            weights,
                            nodes.increment,
                            nodes.internal_force);
-    tangent.reinit(stress_update, points, nodes.increment);
+    tangent.reinit(stress_update, points);
     std::unique_ptr<Factorisation> factorisation;
     if constexpr (dim == 2)
       factorisation = std::make_unique<Factorisation>(tangent,
@@ -296,7 +296,7 @@ namespace Waker
                                nodes.increment,
                                nodes.internal_force);
       }
-    stress_update.accept(weights, nodes.increment, points);
+    stress_update.accept(points);
     return report;
   }
 

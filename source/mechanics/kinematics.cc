@@ -35,58 +35,6 @@ namespace Waker
   } // namespace
 
 
-  template <int dim>
-  Kinematics<dim>::Kinematics(const Tensor<2, dim> &H, const bool objective)
-    : objective(objective)
-  {
-    if (!objective)
-      {
-        G = H;
-        return;
-      }
-    Tensor<2, dim> M = 0.5 * H;
-    for (unsigned int d = 0; d < dim; ++d)
-      M[d][d] += 1.;
-    R = invert(M);
-    G = H * R;
-  }
-
-
-  template <int dim>
-  SymmetricTensor<2, 3>
-  Kinematics<dim>::strain() const
-  {
-    SymmetricTensor<2, 3> e;
-    for (unsigned int i = 0; i < dim; ++i)
-      {
-        e[i][i] = G[i][i];
-        for (unsigned int j = i + 1; j < dim; ++j)
-          e[i][j] = 0.5 * (G[i][j] + G[j][i]);
-      }
-    return e;
-  }
-
-
-  template <>
-  SymmetricTensor<2, 3>
-  Kinematics<2>::turn(const SymmetricTensor<2, 3> &stress) const
-  {
-    if (!objective)
-      return stress;
-    const double w       = 0.5 * (G[0][1] - G[1][0]);
-    const double inverse = 1. / (1. + 0.25 * w * w);
-    const double c       = (1. - 0.25 * w * w) * inverse;
-    const double s       = w * inverse; // Q = [[c, s], [-s, c]]
-    const double xx = stress[0][0], yy = stress[1][1], xy = stress[0][1];
-
-    SymmetricTensor<2, 3> turned = stress;
-    turned[0][0]                 = c * c * xx + 2. * c * s * xy + s * s * yy;
-    turned[1][1]                 = s * s * xx - 2. * c * s * xy + c * c * yy;
-    turned[0][1]                 = c * s * (yy - xx) + (c * c - s * s) * xy;
-    return turned;
-  }
-
-
   template <>
   SymmetricTensor<2, 3>
   Kinematics<3>::turn(const SymmetricTensor<2, 3> &stress) const

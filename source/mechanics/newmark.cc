@@ -127,9 +127,8 @@ namespace Waker
       const double kinetic_nodes_after =
         kinetic_energy<dim>(nodes.mass, nodes.new_velocity);
 
-      const StressReport stress =
-        stress_update.accept(weights, nodes.increment, points);
-      const TransferReport moved = to_particles(nodes, weights, dt, points);
+      const StressReport   stress = stress_update.accept(points);
+      const TransferReport moved  = to_particles(nodes, weights, dt, points);
 
       report.mean_plastic_strain = stress.plastic_strain;
       report.displacement_rate =

@@ -6,6 +6,13 @@
 
 namespace Waker
 {
+  namespace
+  {
+    /// Linear residuals aim at this share of Newton's tolerance.
+    constexpr double linear_margin = 0.3;
+  } // namespace
+
+
   template <int dim>
   NewtonSolver<dim>::NewtonSolver(const Weights<dim>     &weights,
                                   const Fixities<dim>    &fixities,
@@ -124,14 +131,21 @@ namespace Waker
           return report;
 
         if (use_consistent)
-          consistent.reinit(stress_update, points, nodes.increment);
+          consistent.reinit(stress_update, points);
         else
-          double_mapped.reinit(stress_update, points, nodes.increment);
+          double_mapped.reinit(stress_update, points);
+        // The first tangent's diagonal preconditions all systems of the step.
+        if (report.iterations == 0)
+          linear_solver.prepare(system);
+        // A correction need not be better than the convergence it leads to.
+        const double reduction =
+          std::max(parameters.linear_tolerance,
+                   linear_margin * parameters.tolerance / norm);
         const LinearReport linear =
           linear_solver.solve(system,
                               correction,
                               R,
-                              parameters.linear_tolerance,
+                              std::min(reduction, 0.5),
                               parameters.maximum_linear_iterations);
         report.linear_iterations += linear.iterations;
         ++report.iterations;

@@ -94,6 +94,7 @@ namespace Waker
                                  variable.name));
           variable_arrays[m].push_back(i);
         }
+    gradients.resize(points.n_points());
     new_stress.resize(points.n_points());
     new_variables.resize(n_variables * points.n_points());
     dissipation.resize(points.n_points());
@@ -121,7 +122,8 @@ namespace Waker
         const PointWeights<dim> &w        = weights[p];
         const unsigned int       m        = points.material[p];
         const Material          &material = *(*materials)[m];
-        const Kinematics<dim> motion(stencil.gradient(w, du), objective_rate);
+        gradients[p]                      = stencil.gradient(w, du);
+        const Kinematics<dim> motion(gradients[p], objective_rate);
 
         double *const variables = new_variables.data() + n_variables * p;
         for (unsigned int v = 0; v < variable_arrays[m].size(); ++v)
@@ -141,12 +143,8 @@ namespace Waker
   template <int dim>
   void
   StressUpdate<dim>::tangents(const MaterialPoints<dim> &points,
-                              const Weights<dim>        &weights,
-                              const NodalVector         &increment,
                               std::vector<PointTangent> &tangents) const
   {
-    const Stencil<dim>    stencil(weights.background_grid());
-    const double *const   du = increment.begin();
     SymmetricTensor<4, 3> tangent;
     double                variables[max_variables];
     tangents.resize(points.n_points());
@@ -154,8 +152,7 @@ namespace Waker
       {
         const unsigned int    m        = points.material[p];
         const Material       &material = *(*materials)[m];
-        const Kinematics<dim> motion(stencil.gradient(weights[p], du),
-                                     objective_rate);
+        const Kinematics<dim> motion(gradients[p], objective_rate);
         for (unsigned int v = 0; v < variable_arrays[m].size(); ++v)
           variables[v] = points.scalars[variable_arrays[m][v]].values[p];
         const SymmetricTensor<2, 3> turned = motion.turn(points.stress[p]);
@@ -174,19 +171,14 @@ namespace Waker
   void
   StressUpdate<dim>::material_tangents(
     const MaterialPoints<dim>          &points,
-    const Weights<dim>                 &weights,
-    const NodalVector                  &increment,
     std::vector<SymmetricTensor<4, 3>> &tangents) const
   {
-    const Stencil<dim>  stencil(weights.background_grid());
-    const double *const du = increment.begin();
-    double              variables[max_variables];
+    double variables[max_variables];
     tangents.resize(points.n_points());
     for (std::size_t p = 0; p < points.n_points(); ++p)
       {
         const unsigned int    m = points.material[p];
-        const Kinematics<dim> motion(stencil.gradient(weights[p], du),
-                                     objective_rate);
+        const Kinematics<dim> motion(gradients[p], objective_rate);
         for (unsigned int v = 0; v < variable_arrays[m].size(); ++v)
           variables[v] = points.scalars[variable_arrays[m][v]].values[p];
         SymmetricTensor<2, 3> stress = motion.turn(points.stress[p]);
@@ -200,22 +192,18 @@ namespace Waker
 
   template <int dim>
   StressReport
-  StressUpdate<dim>::accept(const Weights<dim>  &weights,
-                            const NodalVector   &increment,
-                            MaterialPoints<dim> &points) const
+  StressUpdate<dim>::accept(MaterialPoints<dim> &points) const
   {
-    const Stencil<dim>  stencil(weights.background_grid());
-    const double *const du = increment.begin();
-    StressReport        report;
-    const int           plastic = points.find_scalar("plastic strain");
+    StressReport report;
+    const int    plastic = points.find_scalar("plastic strain");
     for (std::size_t p = 0; p < points.n_points(); ++p)
       {
-        const unsigned int   m = points.material[p];
-        const double         V = points.volume[p];
-        const Tensor<2, dim> H = stencil.gradient(weights[p], du);
+        const unsigned int m = points.material[p];
+        const double       V = points.volume[p];
         report.work_start +=
-          scalar_product(in_plane<dim>(points.stress[p], V), H);
-        report.work_end += scalar_product(in_plane<dim>(new_stress[p], V), H);
+          scalar_product(in_plane<dim>(points.stress[p], V), gradients[p]);
+        report.work_end +=
+          scalar_product(in_plane<dim>(new_stress[p], V), gradients[p]);
         report.dissipation += V * dissipation[p];
         report.elastic_energy +=
           V * elastic_energy(new_stress[p], *(*materials)[m]);

@@ -53,7 +53,7 @@ namespace Waker
   void
   SystemOperator::add_diagonal(NodalVector &diagonal) const
   {
-    NodalVector K;
+    NodalVector &K = stiffness_diagonal;
     K.reinit(diagonal);
     stiffness->add_diagonal(K);
     double *const      y   = diagonal.begin();
@@ -74,12 +74,36 @@ namespace Waker
   }
 
 
-  LinearReport
-  LinearSolver::solve(const Operator    &A,
-                      NodalVector       &x,
-                      const NodalVector &b,
-                      const double       tolerance,
-                      const unsigned int max_iterations)
+  namespace
+  {
+    /// deal.II's GMRES begins with the product A x of a first guess: ours is
+    /// zero, and needs none.
+    class FromZero
+    {
+    public:
+      explicit FromZero(const Operator &A)
+        : A(A)
+      {}
+
+      void
+      vmult(NodalVector &dst, const NodalVector &src) const
+      {
+        if (is_first)
+          dst = 0.;
+        else
+          A.vmult(dst, src);
+        is_first = false;
+      }
+
+    private:
+      const Operator &A;
+      mutable bool    is_first = true;
+    };
+  } // namespace
+
+
+  void
+  LinearSolver::prepare(const Operator &A)
   {
     NodalVector &diagonal = jacobi.get_vector();
     diagonal              = 0.;
@@ -88,11 +112,18 @@ namespace Waker
     // have a negative diagonal, which would spoil the preconditioner.
     for (double &entry : diagonal)
       entry = entry != 0. ? 1. / std::abs(entry) : 0.;
+  }
 
+
+  LinearReport
+  LinearSolver::solve(const Operator    &A,
+                      NodalVector       &x,
+                      const NodalVector &b,
+                      const double       tolerance,
+                      const unsigned int max_iterations)
+  {
     x = 0.;
     LinearReport report;
-    // The reduction is meant relative to the preconditioned right hand side:
-    // a sliver node's force is small, its displacement is not.
     if (A.is_symmetric())
       {
         ReductionControl control(
@@ -104,7 +135,9 @@ namespace Waker
             report.converged = true;
           }
         catch (const SolverControl::NoConvergence &)
-          {}
+          {
+            // GMRES will try.
+          }
         report.iterations = control.last_step();
         const double work = x * b;
         if (report.converged && work > 0.)
@@ -114,14 +147,18 @@ namespace Waker
       }
     ReductionControl control(max_iterations, 1e-300, tolerance, false, false);
     SolverGMRES<NodalVector> gmres(
-      control, SolverGMRES<NodalVector>::AdditionalData(40));
+      control,
+      SolverGMRES<NodalVector>::AdditionalData(40,
+                                               /*right_preconditioning=*/true));
     try
       {
-        gmres.solve(A, x, b, jacobi);
+        gmres.solve(FromZero(A), x, b, jacobi);
         report.converged = true;
       }
     catch (const SolverControl::NoConvergence &)
-      {}
+      {
+        // x is the best there is; Newton will see whether it is good enough.
+      }
     report.iterations += control.last_step();
     return report;
   }

@@ -3,6 +3,8 @@
 
 #include <waker/boundary/proximity_field.h>
 
+#include "verification_data.h"
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <vector>
@@ -55,6 +57,8 @@ namespace
 
 // Detected height of a flat top minus the edge of the support domains, over all
 // offsets of the points in a cell. References: an independent computation.
+// The data of doc/verification/proximity_field.md: one row per radius and
+// vertical offset.
 TEST(Boundary, flat_face_has_no_mean_offset)
 {
   struct Reference
@@ -77,7 +81,10 @@ TEST(Boundary, flat_face_has_no_mean_offset)
 
       double       sum = 0., lowest = 1., highest = -1.;
       unsigned int n        = 0;
-      const int    n_offset = 40;
+      const int    n_offset = 100;
+
+      double       row_sum = 0., row_lowest = 1., row_highest = -1.;
+      unsigned int row_n = 0;
       for (int k = 0; k < n_offset * n_offset; ++k)
         {
           const Point<2> shift((k % n_offset + 0.5) / n_offset,
@@ -94,11 +101,31 @@ TEST(Boundary, flat_face_has_no_mean_offset)
             if (v[1] > 2 && v[0] > 4.5 && v[0] < 8.5 &&
                 std::abs(v[0] - std::round(v[0])) < 1e-12)
               {
-                sum += v[1] - top;
-                lowest  = std::min(lowest, v[1] - top);
-                highest = std::max(highest, v[1] - top);
-                ++n;
+                row_sum += v[1] - top;
+                row_lowest  = std::min(row_lowest, v[1] - top);
+                row_highest = std::max(row_highest, v[1] - top);
+                ++row_n;
               }
+          if ((k + 1) % n_offset != 0)
+            continue;
+
+          Verification::row("proximity_field",
+                            "radius_h,offset_h,crossings,mean_h,inward_h,"
+                            "outward_h",
+                            r.radius,
+                            shift[1],
+                            row_n,
+                            row_sum / row_n,
+                            row_lowest,
+                            row_highest);
+          sum += row_sum;
+          n += row_n;
+          lowest      = std::min(lowest, row_lowest);
+          highest     = std::max(highest, row_highest);
+          row_sum     = 0.;
+          row_n       = 0;
+          row_lowest  = 1.;
+          row_highest = -1.;
         }
       ASSERT_GE(n, 4u * n_offset * n_offset);
       RecordProperty("mean_offset_" + std::to_string(r.radius),

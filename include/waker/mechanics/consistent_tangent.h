@@ -19,11 +19,10 @@ namespace Waker
     /// Both must outlive this object.
     ConsistentTangent(const Weights<dim> &weights);
 
-    /// Linearise at `increment`.
+    /// Linearise where `stress_update` was last evaluated.
     void
     reinit(const StressUpdate<dim>   &stress_update,
-           const MaterialPoints<dim> &points,
-           const NodalVector         &increment);
+           const MaterialPoints<dim> &points);
 
     void
     vmult(NodalVector &dst, const NodalVector &src) const override;

@@ -26,11 +26,10 @@ namespace Waker
   public:
     DoubleMappedTangent(const Weights<dim> &weights);
 
-    /// Linearise at `increment`.
+    /// Linearise where `stress_update` was last evaluated.
     void
     reinit(const StressUpdate<dim>   &stress_update,
-           const MaterialPoints<dim> &points,
-           const NodalVector         &increment);
+           const MaterialPoints<dim> &points);
 
     void
     vmult(NodalVector &dst, const NodalVector &src) const override;

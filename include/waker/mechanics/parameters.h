@@ -42,7 +42,7 @@ namespace Waker
     double       tolerance          = 1e-3;
     unsigned int maximum_iterations = 20;
     /// Relative accuracy of the linear solves (inexact Newton).
-    double       linear_tolerance          = 1e-2;
+    double       linear_tolerance          = 2e-3;
     unsigned int maximum_linear_iterations = 500;
     /// Start from v dt + a dt^2 / 2 instead of 0.
     bool predictor = true;

@@ -71,27 +71,20 @@ namespace Waker
       double A[dim * (dim + 1) / 2][dim * dim];
     };
 
-    /// The tangents of all points at the same increment (kN m or kN/m).
-    /// Stresses and force are not evaluated again.
+    /// The tangents of all points at the last evaluation (kN m or kN/m).
     void
     tangents(const MaterialPoints<dim> &points,
-             const Weights<dim>        &weights,
-             const NodalVector         &increment,
              std::vector<PointTangent> &tangents) const;
 
-    /// The materials' algorithmic tangents (kPa), for double mapping.
+    /// The materials' algorithmic tangents there (kPa), for double mapping.
     void
     material_tangents(const MaterialPoints<dim>          &points,
-                      const Weights<dim>                 &weights,
-                      const NodalVector                  &increment,
                       std::vector<SymmetricTensor<4, 3>> &tangents) const;
 
     /// Write the stresses and variables of the last evaluation to the points,
-    /// and sum up what happened at `increment`.
+    /// and sum up what happened.
     StressReport
-    accept(const Weights<dim>  &weights,
-           const NodalVector   &increment,
-           MaterialPoints<dim> &points) const;
+    accept(MaterialPoints<dim> &points) const;
 
   private:
     /// Find the arrays of the materials' variables among the points' scalars.
@@ -102,6 +95,7 @@ namespace Waker
     bool                          objective_rate;
     std::vector<std::vector<int>> variable_arrays; // per material
     unsigned int                  n_variables; // largest number per material
+    std::vector<Tensor<2, dim>>   gradients;   // of the increment
     std::vector<SymmetricTensor<2, 3>> new_stress;    // per point
     std::vector<double>                new_variables; // n_variables per point
     std::vector<double>                dissipation;   // per point, kPa

@@ -53,6 +53,7 @@ namespace Waker
     const std::vector<unsigned int> *removed;
     const std::vector<unsigned int> *spring_dofs;
     const std::vector<double>       *springs;
+    mutable NodalVector              stiffness_diagonal; // work space
   };
 
 
@@ -68,14 +69,18 @@ namespace Waker
    * gradients if A says it is symmetric (GMRES if that breaks down in
    * softening), else by GMRES. `x` holds the best iterate even without
    * convergence.
-   *
-   * @param tolerance relative reduction of the preconditioned residual
    */
   class LinearSolver
   {
   public:
     explicit LinearSolver(const unsigned int n_dofs);
 
+    /// Take the preconditioner from this operator's diagonal.
+    void
+    prepare(const Operator &A);
+
+    /// @param tolerance relative reduction of the preconditioned residual: of
+    ///        displacements, so that a sliver node counts as any other
     LinearReport
     solve(const Operator    &A,
           NodalVector       &x,
