@@ -113,4 +113,70 @@ namespace Waker
       }
     return sqrt_3 * new_strength * multiplier;
   }
+
+
+  void
+  VonMisesSoftening::update_block(const unsigned int, Block &block) const
+  {
+    // As update(), without branches. Unused entries are computed and ignored:
+    // a loop of fixed length is a few vector instructions.
+    const double *const e0          = block.strain_increment[0];
+    const double *const e1          = block.strain_increment[1];
+    const double *const e2          = block.strain_increment[2];
+    const double *const e3          = block.strain_increment[3];
+    const double *const e4          = block.strain_increment[4];
+    const double *const e5          = block.strain_increment[5];
+    double *const       s0          = block.stress[0];
+    double *const       s1          = block.stress[1];
+    double *const       s2          = block.stress[2];
+    double *const       s3          = block.stress[3];
+    double *const       s4          = block.stress[4];
+    double *const       s5          = block.stress[5];
+    double *const       strength    = block.variables[0];
+    const double *const residual    = block.variables[1];
+    double *const       plastic     = block.variables[2];
+    double *const       dissipation = block.dissipation;
+
+    const double lambda = K - 2. / 3. * G, two_G = 2. * G, three_G = 3. * G;
+    const double slope = sqrt_3 * softening, factor = plastic_strain_factor;
+#pragma GCC ivdep
+    for (unsigned int l = 0; l < block_size; ++l)
+      {
+        const double add     = lambda * (e0[l] + e1[l] + e2[l]);
+        const double xx      = s0[l] + two_G * e0[l] + add;
+        const double yy      = s1[l] + two_G * e1[l] + add;
+        const double zz      = s2[l] + two_G * e2[l] + add;
+        const double xy      = s3[l] + two_G * e3[l];
+        const double xz      = s4[l] + two_G * e4[l];
+        const double yz      = s5[l] + two_G * e5[l];
+        const double p       = (xx + yy + zz) / 3.;
+        const double squared = (xx - p) * (xx - p) + (yy - p) * (yy - p) +
+                               (zz - p) * (zz - p) +
+                               2. * (xy * xy + xz * xz + yz * yz);
+
+        const double c_old  = strength[l];
+        const double c_r    = residual[l];
+        const bool   yields = squared > 2. * c_old * c_old;
+        const double q      = std::sqrt(yields ? 1.5 * squared : 1.);
+
+        const double hardening   = c_old > c_r ? slope : 0.;
+        const double first       = (q - sqrt_3 * c_old) / (three_G + hardening);
+        const double c_new       = c_old + hardening / sqrt_3 * first;
+        const bool   at_residual = c_new < c_r;
+        const double c           = at_residual ? c_r : c_new;
+        const double multiplier =
+          at_residual ? (q - sqrt_3 * c_r) / three_G : first;
+        const double scale = yields ? sqrt_3 * c / q : 1.;
+
+        s0[l]          = scale * (xx - p) + p;
+        s1[l]          = scale * (yy - p) + p;
+        s2[l]          = scale * (zz - p) + p;
+        s3[l]          = scale * xy;
+        s4[l]          = scale * xz;
+        s5[l]          = scale * yz;
+        strength[l]    = yields ? c : c_old;
+        plastic[l]     = plastic[l] + (yields ? factor * multiplier : 0.);
+        dissipation[l] = yields ? sqrt_3 * c * multiplier : 0.;
+      }
+  }
 } // namespace Waker

@@ -14,7 +14,7 @@ namespace Waker
 
 
     template <int dim>
-    Tensor<2, dim>
+    inline Tensor<2, dim>
     in_plane(const SymmetricTensor<2, 3> &stress, const double scale)
     {
       Tensor<2, dim> P;
@@ -25,8 +25,65 @@ namespace Waker
     }
 
 
+    /// Strains of a block of points, and their stresses turned with them.
+    template <int dim>
+    void
+    move_block(const double (&H)[dim * dim][Material::block_size],
+               const bool       objective_rate,
+               Material::Block &block)
+    {
+      if constexpr (dim == 2)
+        {
+          // Of fixed length and on plain numbers: a few vector instructions.
+          const double *const xx = H[0], *const xy = H[1];
+          const double *const yx = H[2], *const yy = H[3];
+          double *const s_xx  = block.stress[0];
+          double *const s_yy  = block.stress[1];
+          double *const s_xy  = block.stress[3];
+          double *const e_xx  = block.strain_increment[0];
+          double *const e_yy  = block.strain_increment[1];
+          double *const e_xy  = block.strain_increment[3];
+          const double  share = objective_rate ? 1. : 0.;
+#pragma GCC ivdep
+          for (unsigned int l = 0; l < Material::block_size; ++l)
+            {
+              double g_xx = xx[l], g_xy = xy[l], g_yx = yx[l], g_yy = yy[l];
+              to_mid_step(share, g_xx, g_xy, g_yx, g_yy);
+              turn_in_plane(share * 0.5 * (g_xy - g_yx),
+                            s_xx[l],
+                            s_yy[l],
+                            s_xy[l]);
+              e_xx[l] = g_xx;
+              e_yy[l] = g_yy;
+              e_xy[l] = 0.5 * (g_xy + g_yx);
+            }
+          for (const unsigned int a : {2, 4, 5})
+            std::fill_n(block.strain_increment[a], Material::block_size, 0.);
+        }
+      else
+        for (unsigned int l = 0; l < Material::block_size; ++l)
+          {
+            Tensor<2, dim> gradient;
+            for (unsigned int i = 0; i < dim; ++i)
+              for (unsigned int j = 0; j < dim; ++j)
+                gradient[i][j] = H[dim * i + j][l];
+            SymmetricTensor<2, 3> stress;
+            for (unsigned int a = 0; a < 6; ++a)
+              stress.access_raw_entry(a) = block.stress[a][l];
+            const Kinematics<dim>       motion(gradient, objective_rate);
+            const SymmetricTensor<2, 3> turned = motion.turn(stress);
+            const SymmetricTensor<2, 3> strain = motion.strain();
+            for (unsigned int a = 0; a < 6; ++a)
+              {
+                block.stress[a][l]           = turned.access_raw_entry(a);
+                block.strain_increment[a][l] = strain.access_raw_entry(a);
+              }
+          }
+    }
+
+
     /// Elastic energy per volume of a stress (kPa).
-    double
+    inline double
     elastic_energy(const SymmetricTensor<2, 3> &stress,
                    const Material              &material)
     {
@@ -111,29 +168,83 @@ namespace Waker
     if (variable_arrays.size() != materials->size() ||
         new_stress.size() != points.n_points())
       find_variables(points);
+    internal_force = 0.;
 
-    const Stencil<dim>  stencil(weights.background_grid());
-    const double *const du = increment.begin();
-    internal_force         = 0.;
-    double *const force    = internal_force.begin();
-
-    for (std::size_t p = 0; p < points.n_points(); ++p)
+    // In blocks of neighbours of one material.
+    const std::size_t n     = points.n_points();
+    std::size_t       begin = 0;
+    while (begin < n)
       {
-        const PointWeights<dim> &w        = weights[p];
-        const unsigned int       m        = points.material[p];
-        const Material          &material = *(*materials)[m];
-        gradients[p]                      = stencil.gradient(w, du);
-        const Kinematics<dim> motion(gradients[p], objective_rate);
+        const unsigned int m   = points.material[begin];
+        std::size_t        end = begin + 1;
+        while (end < n && end < begin + Material::block_size &&
+               points.material[end] == m)
+          ++end;
+        evaluate_block(points,
+                       weights,
+                       begin,
+                       end,
+                       increment.begin(),
+                       internal_force.begin());
+        begin = end;
+      }
+  }
 
-        double *const variables = new_variables.data() + n_variables * p;
-        for (unsigned int v = 0; v < variable_arrays[m].size(); ++v)
-          variables[v] = points.scalars[variable_arrays[m][v]].values[p];
+
+  template <int dim>
+  void
+  StressUpdate<dim>::evaluate_block(const MaterialPoints<dim> &points,
+                                    const Weights<dim>        &weights,
+                                    const std::size_t          begin,
+                                    const std::size_t          end,
+                                    const double              *increment,
+                                    double                    *force)
+  {
+    constexpr unsigned int  N = Material::block_size;
+    const Stencil<dim>      stencil(weights.background_grid());
+    const unsigned int      m        = points.material[begin];
+    const unsigned int      n_points = end - begin;
+    const std::vector<int> &arrays   = variable_arrays[m];
+
+    Material::Block block;
+    double          variables[max_variables][N];
+    double          H[dim * dim][N] = {};
+    block.variables                 = variables;
+
+    for (unsigned int l = 0; l < n_points; ++l)
+      {
+        const std::size_t p = begin + l;
+        gradients[p]        = stencil.gradient(weights[p], increment);
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int j = 0; j < dim; ++j)
+            H[dim * i + j][l] = gradients[p][i][j];
+        for (unsigned int a = 0; a < 6; ++a)
+          block.stress[a][l] = points.stress[p].access_raw_entry(a);
+      }
+    for (unsigned int l = n_points; l < N; ++l)
+      for (unsigned int a = 0; a < 6; ++a)
+        block.stress[a][l] = 0.;
+    for (unsigned int v = 0; v < arrays.size(); ++v)
+      {
+        const double *const values =
+          points.scalars[arrays[v]].values.data() + begin;
+        for (unsigned int l = 0; l < N; ++l)
+          variables[v][l] = l < n_points ? values[l] : 0.;
+      }
+
+    move_block<dim>(H, objective_rate, block);
+    (*materials)[m]->update_block(n_points, block);
+
+    for (unsigned int l = 0; l < n_points; ++l)
+      {
+        const std::size_t      p      = begin + l;
         SymmetricTensor<2, 3> &stress = new_stress[p];
-        stress                        = motion.turn(points.stress[p]);
-        dissipation[p] =
-          material.update(motion.strain(), stress, variables, nullptr);
-
-        stencil.scatter_gradient(w,
+        for (unsigned int a = 0; a < 6; ++a)
+          stress.access_raw_entry(a) = block.stress[a][l];
+        dissipation[p] = block.dissipation[l];
+        for (unsigned int v = 0; v < arrays.size(); ++v)
+          new_variables[n_variables * p + v] = variables[v][l];
+        stencil.scatter_gradient(weights[p],
                                  in_plane<dim>(stress, points.volume[p]),
                                  force);
       }

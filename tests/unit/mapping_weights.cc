@@ -10,7 +10,7 @@ using namespace Waker;
 
 namespace
 {
-  constexpr double h = 0.25;
+  constexpr double h = 0.3; // m, no binary number
 
 
   /// The textbook function of one direction (Bardenhagen & Kober 2004), d the
@@ -86,11 +86,15 @@ namespace
   void
   check_consistency(const ShapeFunctions functions)
   {
-    const auto           grid   = Lattice::grid<dim>(1.25, h);
-    const auto           points = random_points(grid, 2000);
-    const Stencil<dim>   stencil(grid);
-    Weights<dim>         weights(grid, functions);
-    const Tensor<2, dim> identity = unit_symmetric_tensor<dim>();
+    const Point<dim> lower(Lattice::Random(1).vector<dim>(-4., 4.));
+    Point<dim>       upper = lower;
+    for (unsigned int d = 0; d < dim; ++d)
+      upper[d] += 5. * h;
+    const BackgroundGrid<dim> grid(lower, upper, h, MPI_COMM_SELF);
+    const auto                points = random_points(grid, 2000);
+    const Stencil<dim>        stencil(grid);
+    Weights<dim>              weights(grid, functions);
+    const Tensor<2, dim>      identity = unit_symmetric_tensor<dim>();
     weights.reinit(points);
     ASSERT_EQ(weights.size(), points.n_points());
 
@@ -165,16 +169,16 @@ TEST(Mapping, functions_reproduce_linear_fields)
 TEST(Mapping, one_direction_over_its_whole_support)
 {
   // For the figure, and a check of the function far from the node: zero.
-  const auto grid = Lattice::grid<2>(1., h);
+  const auto grid = Lattice::grid<2>(1.2, h);
   for (int k = -150; k <= 150; ++k)
     {
       const double d    = 0.01 * k * h;
       double       S[2] = {}, slope[2] = {};
       for (const auto f : {ShapeFunctions::linear, ShapeFunctions::gimp})
         {
-          const auto w = weights_at(grid, Point<2>(0.5 + d, 0.5), 0.25 * h, f);
+          const auto w = weights_at(grid, Point<2>(0.6 + d, 0.6), 0.25 * h, f);
           const unsigned int row  = grid.stride(1);
-          const int          base = w.base % row, node = 3; // x = 0.5
+          const int          base = w.base % row, node = 3; // x = 0.6
           if (node >= base && node < base + 3)
             {
               S[f == ShapeFunctions::gimp]     = w.value[0][node - base];

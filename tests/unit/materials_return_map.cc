@@ -111,10 +111,13 @@ TEST(Materials, return_map_is_first_order_to_brute_force)
   {
     const char           *name;
     SymmetricTensor<2, 3> strain;
+    bool                  residual;
   };
   const Path paths[] = {
-    {"to softening", symmetric(-0.01, 0.012, 0., 0.04)},
-    {"to residual strength", symmetric(0.03, -0.05, 0.01, 0.13, -0.06, 0.04)},
+    {"to softening", symmetric(-0.01, 0.012, 0., 0.04), false},
+    {"to residual strength",
+     symmetric(0.03, -0.05, 0.01, 0.13, -0.06, 0.04),
+     true},
   };
   for (const Path &path : paths)
     {
@@ -124,27 +127,34 @@ TEST(Materials, return_map_is_first_order_to_brute_force)
       EXPECT_LT((exact.stress - coarse.stress).norm(), 1e-3) << path.name;
       EXPECT_GT(exact.variables[2], 0.01);
 
-      double last = 0.;
+      double last_stress = 0., last_plastic = 0.;
       for (unsigned int n = 25; n <= 400; n *= 2)
         {
           const PointState result = return_map(start, material, path.strain, n);
-          const double     error  = (result.stress - exact.stress).norm();
-          const double     plastic_error =
+          const double     stress = (result.stress - exact.stress).norm();
+          const double     plastic =
             std::abs(result.variables[2] - exact.variables[2]);
           Verification::row("simple_shear_return_map",
                             "path,steps,stress error (kPa),"
                             "plastic strain error",
                             path.name,
                             n,
-                            error,
-                            plastic_error);
+                            stress,
+                            plastic);
           if (n > 50)
             {
-              EXPECT_NEAR(last / error, 2., 0.35) << path.name << ' ' << n;
+              EXPECT_NEAR(last_plastic / plastic, 2., 0.15) << path.name << n;
+              // At the residual strength the stress forgets its past: what
+              // remains is the drift of the reference.
+              EXPECT_TRUE(path.residual ||
+                          std::abs(last_stress / stress - 2.) < 0.15)
+                << path.name << n;
             }
-          last = error;
+          last_stress  = stress;
+          last_plastic = plastic;
         }
-      EXPECT_LT(last, 0.05) << path.name;
+      EXPECT_LT(last_stress, 0.01) << path.name;
+      EXPECT_EQ(exact.variables[0] == 5., path.residual) << path.name;
     }
 }
 
@@ -154,7 +164,7 @@ TEST(Materials, return_map_is_exact_on_radial_paths)
   // Any deviator, loaded further along itself, with compression on top: from
   // elastic over the kink to the residual strength in one step.
   for (const auto invariant : {Invariant::equivalent, Invariant::half})
-    for (const double size : {0.02, 0.1, 0.3})
+    for (const double size : {0.04, 0.1, 0.3})
       {
         const double factor = invariant == Invariant::half ? sqrt_3 / 2. : 1.;
         const VonMisesSoftening material(1.5, E, nu, 13., 5., -50., invariant);

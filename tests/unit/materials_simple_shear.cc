@@ -159,22 +159,23 @@ namespace
                             m.strength,
                             m.plastic_strain,
                             m.dissipation);
-        // The strength at yield and the kinks, found from the curve itself.
-        double peak = 0.;
+        // Yield: where the softening line starts, and the last elastic shear.
+        double last_elastic = 0.;
         for (const Moment &m : history)
-          peak = std::max(peak, m.plastic_strain == 0. ? 0. : m.tau);
-        const Moment &s = history[200];
-        Verification::row(
-          "simple_shear",
-          "invariant,first plastic tau,expected there,slope,expected slope,"
-          "plastic gamma at residual,expected",
-          invariant,
-          peak,
-          (c_i + H_s * factor * first_plastic) / (1. + H_s * factor / G),
-          slope,
-          H_s * factor,
-          s.plastic_gamma() + (c_r - s.tau) / slope,
-          residual);
+          if (m.plastic_strain == 0.)
+            last_elastic = m.tau;
+        Verification::row("simple_shear",
+                          "invariant,last elastic tau (kPa),"
+                          "softening line at plastic gamma 0 (kPa),slope (kPa),"
+                          "expected slope (kPa),plastic gamma at residual,"
+                          "expected plastic gamma",
+                          invariant,
+                          last_elastic,
+                          b.tau - slope * b.plastic_gamma(),
+                          slope,
+                          H_s * factor,
+                          b.plastic_gamma() + (c_r - b.tau) / slope,
+                          residual);
       }
   }
 } // namespace

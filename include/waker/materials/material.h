@@ -57,6 +57,25 @@ namespace Waker
            double                      *variables,
            SymmetricTensor<4, 3>       *tangent) const = 0;
 
+    /// Points per block of update_block().
+    static constexpr unsigned int block_size = 16;
+
+    /// A block of points of this material: component (xx, yy, zz, xy, xz, yz)
+    /// or variable first, point second. Unused entries at the end are zero.
+    struct Block
+    {
+      double strain_increment[6][block_size];
+      double stress[6][block_size]; // in and out, as in update()
+      double (*variables)[block_size];
+      double dissipation[block_size]; // out
+    };
+
+    /// update() without tangent for `n_points` points at once. By default
+    /// they are updated one by one; a law that matters for the speed brings a
+    /// loop that the compiler can vectorise, with the same result.
+    virtual void
+    update_block(const unsigned int n_points, Block &block) const;
+
     /// Mass density (Mg/m^3).
     virtual double
     density() const = 0;

@@ -48,6 +48,9 @@ namespace Waker
            double                      *variables,
            SymmetricTensor<4, 3>       *tangent) const override;
 
+    void
+    update_block(const unsigned int n_points, Block &block) const override;
+
   private:
     double initial_strength;
     double residual_strength;

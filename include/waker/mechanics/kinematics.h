@@ -65,6 +65,50 @@ namespace Waker
     Tensor<2, dim> R; // (I + H/2)^-1: dG = R dH R
   };
 
+  /**
+   * Q s Q^T in the plane, for the spin W = [[0, w], [-w, 0]] of a step, so
+   * that Q = [[c, s], [-s, c]]. On numbers, for loops over many points.
+   */
+  inline void
+  turn_in_plane(const double w, double &xx, double &yy, double &xy)
+  {
+    const double quarter = 0.25 * w * w;
+    const double inverse = 1. / (1. + quarter);
+    const double c       = (1. - quarter) * inverse;
+    const double s       = w * inverse;
+    const double new_xx  = c * c * xx + 2. * c * s * xy + s * s * yy;
+    const double new_yy  = s * s * xx - 2. * c * s * xy + c * c * yy;
+    xy                   = c * s * (yy - xx) + (c * c - s * s) * xy;
+    xx                   = new_xx;
+    yy                   = new_yy;
+  }
+
+
+  /**
+   * G = H (I + share H/2)^-1 in the plane, in place of H: share = 1 at
+   * mid-step, 0 leaves H. On numbers, for loops over many points.
+   */
+  inline void
+  to_mid_step(const double share,
+              double      &xx,
+              double      &xy,
+              double      &yx,
+              double      &yy)
+  {
+    const double half = 0.5 * share;
+    const double a = 1. + half * xx, b = half * xy;
+    const double c = half * yx, d = 1. + half * yy;
+    const double inverse = 1. / (a * d - b * c);
+    const double new_xx  = (xx * d - xy * c) * inverse;
+    const double new_xy  = (xy * a - xx * b) * inverse;
+    const double new_yx  = (yx * d - yy * c) * inverse;
+    yy                   = (yy * a - yx * b) * inverse;
+    xx                   = new_xx;
+    xy                   = new_xy;
+    yx                   = new_yx;
+  }
+
+
   // In line: they run once per point and evaluation.
 
   template <int dim>
@@ -106,16 +150,11 @@ namespace Waker
   {
     if (!objective)
       return stress;
-    const double w       = 0.5 * (G[0][1] - G[1][0]);
-    const double inverse = 1. / (1. + 0.25 * w * w);
-    const double c       = (1. - 0.25 * w * w) * inverse;
-    const double s       = w * inverse; // Q = [[c, s], [-s, c]]
-    const double xx = stress[0][0], yy = stress[1][1], xy = stress[0][1];
-
     SymmetricTensor<2, 3> turned = stress;
-    turned[0][0]                 = c * c * xx + 2. * c * s * xy + s * s * yy;
-    turned[1][1]                 = s * s * xx - 2. * c * s * xy + c * c * yy;
-    turned[0][1]                 = c * s * (yy - xx) + (c * c - s * s) * xy;
+    turn_in_plane(0.5 * (G[0][1] - G[1][0]),
+                  turned.access_raw_entry(0),
+                  turned.access_raw_entry(1),
+                  turned.access_raw_entry(3));
     return turned;
   }
 

@@ -87,6 +87,16 @@ namespace Waker
     accept(MaterialPoints<dim> &points) const;
 
   private:
+    /// evaluate() for points begin..end-1, at most Material::block_size and of
+    /// one material.
+    void
+    evaluate_block(const MaterialPoints<dim> &points,
+                   const Weights<dim>        &weights,
+                   const std::size_t          begin,
+                   const std::size_t          end,
+                   const double              *increment,
+                   double                    *force);
+
     /// Find the arrays of the materials' variables among the points' scalars.
     void
     find_variables(const MaterialPoints<dim> &points);

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/mapping/transfer.h>
+#include <waker/materials/von_mises_softening.h>
+#include <waker/mechanics/newton.h>
+
+#include "mapping_lattice.h"
+#include "verification_data.h"
+#include <gtest/gtest.h>
+
+// How Newton's method converges in single steps that are hard on purpose, with
+// the consistent tangent and with double mapping.
+
+using namespace Waker;
+
+namespace
+{
+  constexpr double h = 0.25, density = 1.5, gravity = 9.81;
+
+
+  struct Outcome
+  {
+    std::vector<double> residuals;
+    NodalVector         increment;
+    double              mean_plastic_strain = 0.;
+    unsigned int        n_softening         = 0;
+    unsigned int        n_points            = 0;
+  };
+
+
+  struct Problem
+  {
+    bool   softening; // else elastic, in a large rotation
+    double dt;        // s
+  };
+
+
+  /// A block of 1 m x 1 m on the grid. Elastic: in free flight, spinning by
+  /// 0.5 rad in the step. Softening: on a fixed base, with its weight applied
+  /// at once, twice what it can carry.
+  template <int dim>
+  Outcome
+  solve(const Problem &problem, const std::string &tangent)
+  {
+    const auto grid = Lattice::grid<dim>(2., h);
+    Point<dim> lower;
+    for (unsigned int d = 0; d < dim; ++d)
+      lower[d] = 0.43;
+    if (problem.softening)
+      lower[1] = 0.;
+    auto      points = Lattice::box(lower, dim == 2 ? 8 : 4, 0.5 * h, density);
+    Materials materials;
+    if (problem.softening)
+      materials.push_back(std::make_unique<VonMisesSoftening>(
+        density, 1000., 0.45, 2., 0.5, -50.));
+    else
+      materials.push_back(
+        std::make_unique<LinearElastic>(density, 1000., 0.45));
+    declare_material_variables(materials, points);
+
+    std::vector<FixityParameters> supports;
+    if (problem.softening)
+      {
+        supports.emplace_back();
+        supports.back().name = "base";
+      }
+    const Fixities<dim> fixities(grid, supports);
+    Weights<dim>        weights(grid, ShapeFunctions::gimp);
+    NodalState          nodes(grid);
+    weights.reinit(points);
+    const double   size = dim == 2 ? 1. : 0.5;
+    Point<dim>     centre;
+    Tensor<2, dim> spin;
+    for (unsigned int d = 0; d < dim; ++d)
+      centre[d] = lower[d] + 0.5 * size;
+    if (!problem.softening)
+      {
+        spin[0][1] = -0.5 / problem.dt;
+        spin[1][0] = 0.5 / problem.dt;
+      }
+    for (unsigned int p = 0; p < points.n_points(); ++p)
+      points.velocity[p] = spin * (points.position[p] - centre);
+    to_nodes(points, weights, nodes);
+    set_gravity<dim>(problem.softening ? gravity : 0., nodes);
+
+    NodalVector history = nodes.velocity;
+    history *= 4. / problem.dt;
+    for (const unsigned int dof : fixities.removed_list())
+      history.begin()[dof] = 0.;
+
+    NewtonParameters parameters;
+    parameters.tangent                   = tangent;
+    parameters.tolerance                 = 3e-14;
+    parameters.linear_tolerance          = 1e-12;
+    parameters.maximum_linear_iterations = 3000;
+    parameters.maximum_iterations        = tangent == "consistent" ? 20 : 150;
+    NewtonSolver<dim> newton(
+      weights, fixities, parameters, density * std::pow(h, dim), 1.);
+    typename NewtonSolver<dim>::Inertia inertia;
+    inertia.factor  = 4. / (problem.dt * problem.dt);
+    inertia.history = &history;
+    StressUpdate<dim>  update(materials, true);
+    const NewtonReport report =
+      newton.solve(points, inertia, {}, update, nodes);
+
+    Outcome outcome;
+    outcome.residuals           = report.residuals;
+    outcome.increment           = nodes.increment;
+    outcome.mean_plastic_strain = update.accept(points).plastic_strain;
+    outcome.n_points            = points.n_points();
+    if (problem.softening)
+      for (const double c : points.scalar("undrained shear strength"))
+        outcome.n_softening += c < 2.;
+    return outcome;
+  }
+
+
+  /// Solves needed to come below `tolerance`; -1: never.
+  int
+  n_iterations(const std::vector<double> &residuals, const double tolerance)
+  {
+    for (unsigned int k = 0; k < residuals.size(); ++k)
+      if (residuals[k] <= tolerance)
+        return k;
+    return -1;
+  }
+
+
+  template <int dim>
+  void
+  check_convergence(const std::string &name, const Problem &problem)
+  {
+    const Outcome newton = solve<dim>(problem, "consistent");
+    const auto   &e      = newton.residuals;
+
+    // Quadratic: once below 1e-2, e_{k+1} <= C e_k^2 until round-off.
+    const double C = 10., round_off = 1e-13;
+    unsigned int n_quadratic = 0;
+    for (unsigned int k = 0; k + 1 < e.size(); ++k)
+      if (e[k] < 1e-2 && e[k] > round_off)
+        {
+          EXPECT_LE(e[k + 1], std::max(C * e[k] * e[k], round_off))
+            << name << " iteration " << k;
+          ++n_quadratic;
+        }
+    EXPECT_GE(n_quadratic, 2u) << name;
+    EXPECT_LT(e.back(), round_off) << name;
+    if (problem.softening)
+      {
+        EXPECT_GT(newton.n_softening, newton.n_points / 4);
+        EXPECT_GT(newton.mean_plastic_strain, 1e-3);
+      }
+
+    // Double mapping: no quadratic end, but the same answer.
+    const Outcome mapped = solve<dim>(problem, "double mapping");
+    EXPECT_LT(mapped.residuals.back(), 1e-6) << name;
+    NodalVector difference = mapped.increment;
+    difference -= newton.increment;
+    EXPECT_LT(difference.linfty_norm(), 1e-4 * newton.increment.linfty_norm())
+      << name;
+    const int last = n_iterations(mapped.residuals, 1e-6);
+    EXPECT_GT(last, n_iterations(e, 1e-6) + 2) << name;
+
+    for (const auto &[tangent, outcome] :
+         {std::pair<const char *, const Outcome &>("consistent", newton),
+          std::pair<const char *, const Outcome &>("double mapping", mapped)})
+      {
+        for (unsigned int k = 0; k < outcome.residuals.size(); ++k)
+          Verification::row("newton",
+                            "step,dimension,tangent,iteration,residual",
+                            name,
+                            dim,
+                            tangent,
+                            k,
+                            outcome.residuals[k]);
+        Verification::row("newton_iterations",
+                          "step,dimension,tangent,to 1e-3,to 1e-6,to 1e-10,"
+                          "points softening,points",
+                          name,
+                          dim,
+                          tangent,
+                          n_iterations(outcome.residuals, 1e-3),
+                          n_iterations(outcome.residuals, 1e-6),
+                          n_iterations(outcome.residuals, 1e-10),
+                          outcome.n_softening,
+                          outcome.n_points);
+      }
+  }
+} // namespace
+
+
+TEST(Mechanics, newton_is_quadratic_in_an_elastic_large_rotation)
+{
+  check_convergence<2>("elastic rotation", {false, 0.02});
+  check_convergence<3>("elastic rotation", {false, 0.02});
+}
+
+
+TEST(Mechanics, newton_is_quadratic_in_softening)
+{
+  check_convergence<2>("softening", {true, 0.05});
+  check_convergence<3>("softening", {true, 0.05});
+}
+
+
+TEST(Mechanics, newton_sees_convergence_without_load)
+{
+  // Supports that stretch a body uniformly, and nothing else: at the solution
+  // no free node has any force, and a norm relative to the forces of free
+  // nodes alone would divide round-off by round-off.
+  const auto grid   = Lattice::grid<2>(1.5, h);
+  auto       points = Lattice::box(Point<2>(), 12, 0.5 * h, density);
+  Materials  materials;
+  materials.push_back(std::make_unique<LinearElastic>(density, 1000., 0.3));
+  FixityParameters left, right;
+  left.name = left.region = "left";
+  right.name = right.region = "right";
+  left.type = right.type = "prescribed";
+  left.displacement      = "0; 0";
+  right.displacement     = "0.01*t; 0";
+  FixityParameters middle;
+  middle.region       = "box";
+  middle.name         = "middle";
+  middle.from         = {-1., -1.};
+  middle.to           = {3., 3.};
+  middle.type         = "prescribed";
+  middle.displacement = "free; 0";
+  const Fixities<2> fixities(grid, {middle, left, right});
+  Weights<2>        weights(grid, ShapeFunctions::gimp);
+  NodalState        nodes(grid);
+  weights.reinit(points);
+  to_nodes(points, weights, nodes);
+  std::vector<double> increments;
+  fixities.removed_increments(0., 1., increments);
+  for (unsigned int k = 0; k < increments.size(); ++k)
+    nodes.increment.begin()[fixities.removed_list()[k]] = increments[k];
+
+  NewtonParameters parameters;
+  parameters.tolerance        = 1e-8;
+  parameters.linear_tolerance = 1e-12;
+  NewtonSolver<2>    newton(weights, fixities, parameters, density * h * h, 1.);
+  StressUpdate<2>    update(materials, false);
+  const NewtonReport report = newton.solve(points, {}, {}, update, nodes);
+  update.accept(points);
+  EXPECT_TRUE(report.converged) << report.residuals.back();
+  EXPECT_LE(report.iterations, 2u);
+  for (const auto &stress : points.stress)
+    EXPECT_NEAR(stress[0][0], points.stress[0][0][0], 1e-6);
+}
