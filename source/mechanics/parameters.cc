@@ -86,7 +86,8 @@ namespace Waker
                       tolerance,
                       "A step has converged when the mass-weighted norm of its "
                       "residual is below this share (-) of that of the "
-                      "external force; above 0, below 1.",
+                      "external, internal and inertial forces together; "
+                      "above 0, below 1.",
                       Patterns::Double(0., 1.));
     prm.add_parameter("Maximum iterations",
                       maximum_iterations,
@@ -95,11 +96,12 @@ namespace Waker
     prm.add_parameter("Linear tolerance",
                       linear_tolerance,
                       "Relative accuracy (-) of the linear solves (inexact "
-                      "Newton); above 0, below 1.",
+                      "Newton), which stop earlier where Tolerance is "
+                      "reached; above 0, below 1.",
                       Patterns::Double(0., 1.));
     prm.add_parameter("Maximum linear iterations",
                       maximum_linear_iterations,
-                      "Limit of conjugate gradient iterations in one solve.",
+                      "Limit of linear iterations in one solve.",
                       Patterns::Integer(1));
     prm.add_parameter("Predictor",
                       predictor,

@@ -104,11 +104,12 @@ namespace Waker
 
   template <int dim>
   void
-  describe_result(const State<dim>  &state,
-                  const std::string &outcome,
-                  const std::string &reason,
-                  const double       wall_time,
-                  Log               &log)
+  describe_result(const State<dim>   &state,
+                  const std::string  &outcome,
+                  const std::string  &reason,
+                  const double        wall_time,
+                  const std::uint64_t steps_done,
+                  Log                &log)
   {
     const FailureRecord &f = state.failure;
     say(log, "Outcome: %s (%s)", outcome.c_str(), reason.c_str());
@@ -127,7 +128,7 @@ namespace Waker
         static_cast<unsigned long long>(state.unconverged_steps),
         wall_time,
         state.step > 0
-          ? 1e6 * wall_time / (state.points.n_points() * state.step)
+          ? 1e6 * wall_time / (state.points.n_points() * steps_done)
           : 0.);
   }
 
@@ -141,11 +142,13 @@ namespace Waker
                   const std::string &,
                   const std::string &,
                   const double,
+                  const std::uint64_t,
                   Log &);
   template void
   describe_result(const State<3> &,
                   const std::string &,
                   const std::string &,
                   const double,
+                  const std::uint64_t,
                   Log &);
 } // namespace Waker

@@ -85,9 +85,10 @@ namespace Waker
          Recorder<dim>    &recorder,
          Log              &log)
     {
-      const auto       start    = std::chrono::steady_clock::now();
-      const double     end_time = the_case.parameters.time.end_time;
-      Realisation<dim> realisation(the_case, state);
+      const auto          start      = std::chrono::steady_clock::now();
+      const std::uint64_t first_step = state.step;
+      const double        end_time   = the_case.parameters.time.end_time;
+      Realisation<dim>    realisation(the_case, state);
 
       std::string   result, reason;
       RunStatus     status = RunStatus::completed;
@@ -148,6 +149,7 @@ namespace Waker
           result = "numerical failure";
           reason = failure.what();
           status = RunStatus::numerical_failure;
+          recorder.checkpoint(state, true);
         }
       log.end_progress();
 
@@ -160,7 +162,8 @@ namespace Waker
           return status;
         }
       recorder.write_summary(state, result, reason, wall.count());
-      describe_result(state, result, reason, wall.count(), log);
+      describe_result(
+        state, result, reason, wall.count(), state.step - first_step, log);
       return status;
     }
   } // namespace
@@ -174,8 +177,29 @@ namespace Waker
   {
     const std::string &directory = parameters.output.directory;
     check_output_folder(directory, folder_mode(options));
-    const Case<dim> the_case(parameters, communicator);
-    Log             log(std::cout, Log::is_terminal());
+    Log                              log(std::cout, Log::is_terminal());
+    std::unique_ptr<const Case<dim>> pointer;
+    try
+      {
+        pointer = std::make_unique<const Case<dim>>(parameters, communicator);
+      }
+    catch (const NumericalFailure &failure)
+      {
+        log.line(std::string("Numerical failure: ") + failure.what());
+        if (!options.validate_only && !options.resume)
+          {
+            prepare_output_folder(directory,
+                                  folder_mode(options),
+                                  parameters.text);
+            Recorder<dim>(parameters)
+              .write_summary(State<dim>(),
+                             "numerical failure",
+                             failure.what(),
+                             0.);
+          }
+        return RunStatus::numerical_failure;
+      }
+    const Case<dim> &the_case = *pointer;
     if (options.validate_only)
       {
         describe_case(the_case, log);

@@ -13,6 +13,7 @@
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -43,13 +44,15 @@ namespace Waker
     class Table
     {
     public:
-      Table(const std::string &path, const bool resume)
+      /// @param key of the case: the trials of another one are refused
+      Table(const std::string &path, const std::string &key, const bool resume)
         : path(path)
+        , key(key)
       {
         if (resume)
           read();
         std::ofstream file(path);
-        file << "factor,failed,time_s,outcome\n";
+        file << "# parameters " << key << "\nfactor,failed,time_s,outcome\n";
         for (const auto &[factor, trial] : trials)
           write_line(file, factor, trial);
       }
@@ -81,6 +84,11 @@ namespace Waker
       {
         std::ifstream file(path);
         std::string   line;
+        if (std::getline(file, line) && line != "# parameters " + key)
+          throw UserError("Output/Directory",
+                          path + " belongs to another case",
+                          "--resume with the parameters it was made with, or "
+                          "--overwrite");
         std::getline(file, line); // header
         while (std::getline(file, line))
           {
@@ -112,6 +120,7 @@ namespace Waker
       }
 
       std::string             path;
+      std::string             key;
       std::map<double, Trial> trials;
     };
 
@@ -257,12 +266,21 @@ namespace Waker
         log.line("Valid. Nothing was written.");
         return RunStatus::completed;
       }
+    // The end time belongs to a trial, though not to the hash. A table that
+    // does not fit is refused before anything is written.
+    const std::string path = join_path(directory, table_name);
+    const std::string key  = parameters.hash + ", to " +
+                            std::to_string(parameters.time.end_time) + " s";
+    std::unique_ptr<Table> table;
+    if (options.resume)
+      table = std::make_unique<Table>(path, key, true);
     prepare_output_folder(directory, mode, parameters.text);
+    if (!options.resume)
+      table = std::make_unique<Table>(path, key, false);
     log.open_file(join_path(directory, "log.txt"), options.resume);
-    Table table(join_path(directory, table_name), options.resume);
     try
       {
-        return search(the_case, options, table, log);
+        return search(the_case, options, *table, log);
       }
     catch (const Interrupted &)
       {

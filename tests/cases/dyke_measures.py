@@ -112,43 +112,49 @@ def clusters(position, reach):
     return rank[number]
 
 
-def intact_blocks(points, c_i, c_r, smallest=1.0, reach=CELL):
-    """Areas (m^2) of the parts of the dyke, at least `smallest`, that bands of
-    softened soil separate: points that have lost less than half of what they
-    can lose of their strength."""
-    intact = points["undrained_shear_strength"] > 0.5 * (c_i + c_r)
-    number = clusters(points["position"][intact], reach)
-    area = np.bincount(number, weights=points["volume"][intact])
-    return np.sort(area[area >= smallest])[::-1]
+class Blocks:
+    """The parts of the dyke, of at least `smallest` (m^2), that bands of softened
+    soil separate. Intact is a point that has lost less than half of what it can
+    lose of its strength. By the place of their centres, from the water to the
+    toe: the first is what stands."""
 
+    def __init__(self, points, c_i, c_r, smallest=3.0):
+        intact = np.flatnonzero(
+            points["undrained_shear_strength"] > 0.5 * (c_i + c_r))
+        position = points["position"][intact, :2]
+        volume = points["volume"][intact]
+        number = clusters(position, CELL)
+        area = np.bincount(number, weights=volume)
+        found = [position[number == k]
+                 for k in np.flatnonzero(area >= smallest)]
+        self.areas = area[area >= smallest]
+        order = np.argsort([block[:, 0].mean() for block in found])
+        self.blocks = [found[k] for k in order]
+        self.areas = self.areas[order]
 
-def secondary_band(points, c_i, c_r, lowest=1.0, smallest=50):
-    """The shear band inside the sliding mass: which points are in it, and its
-    angle to the horizontal (degrees).
+    def __len__(self):
+        return len(self.blocks)
 
-    Softened points (as in intact_blocks) above `lowest` (m), clear of the band
-    along the base, fall apart into the band of the main slip, which comes down
-    towards the inner toe, and those behind it. The band is the cluster furthest
-    in; its direction is the first principal axis of the positions weighted with
-    plastic strain. None if there is only the main slip.
-    """
-    softened = np.flatnonzero(
-        (points["undrained_shear_strength"] <= 0.5 * (c_i + c_r))
-        & (points["position"][:, 1] > lowest))
-    number = clusters(points["position"][softened], CELL)
-    found = []
-    for k in range(number.max() + 1 if len(number) > 0 else 0):
-        members = softened[number == k]
-        if len(members) >= smallest:
-            found.append(members)
-    if len(found) < 2:
-        return None
-    band = max(found, key=lambda i: points["position"][i, 0].mean())
-    x = points["position"][band, :2]
-    weights = points["plastic_strain"][band]
-    axes = np.linalg.eigh(np.cov(x.T, aweights=weights))[1]
-    direction = axes[:, -1]
-    return band, np.degrees(np.arctan2(direction[1], direction[0])) % 180
+    def band_before_toe(self, lowest=0.75):
+        """The band between the block at the toe and the next one: its middle
+        (n, 2), one point per row of cells above `lowest` (m) in which both are,
+        and the angle of a straight line through it to the horizontal (degrees).
+        None if fewer than two blocks have left, or the band is too short."""
+        if len(self) < 3:
+            return None
+        behind, toe = self.blocks[-2:]
+        middle = []
+        top = min(behind[:, 1].max(), toe[:, 1].max())
+        for y in np.arange(lowest, top, CELL):
+            edges = [block[np.abs(block[:, 1] - y) < CELL / 2, 0]
+                     for block in (behind, toe)]
+            if all(len(x) > 0 for x in edges):
+                middle.append((0.5 * (edges[0].max() + edges[1].min()), y))
+        if len(middle) < 5:
+            return None
+        middle = np.array(middle)
+        run_over_rise = np.polyfit(middle[:, 1], middle[:, 0], 1)[0]
+        return middle, np.degrees(np.arctan2(1, run_over_rise))
 
 
 def distances(points, segments):

@@ -42,13 +42,14 @@ def check_energy(checks, run):
 
 
 def check_blocks(checks, run):
-    points = run.points(4.5)
-    blocks = measures.intact_blocks(points, C_I, C_R)
-    checks.above("t = 4.5 s: blocks besides what stands", len(blocks) - 1, 2)
-    found = measures.secondary_band(points, C_I, C_R)
-    checks.between("t = 4.5 s: angle of the band between them",
-                   None if found is None else found[1], 35, 55, "degrees")
-    blocks = measures.intact_blocks(run.points(), C_I, C_R)
+    for time in (4.5, 5.5):
+        blocks = measures.Blocks(run.points(time), C_I, C_R)
+        checks.above(f"t = {time} s: blocks besides what stands",
+                     len(blocks) - 1, 2)
+        band = blocks.band_before_toe()
+        checks.between(f"t = {time} s: angle of the band between them",
+                       None if band is None else band[1], 35, 55, "degrees")
+    blocks = measures.Blocks(run.points(), C_I, C_R)
     checks.above("at flooding: blocks besides what stands", len(blocks) - 1, 3)
 
 

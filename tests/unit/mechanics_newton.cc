@@ -29,14 +29,16 @@ namespace
 
   struct Problem
   {
-    bool   softening; // else elastic, in a large rotation
-    double dt;        // s
+    std::string name;
+    bool        softening; // else elastic, in a large rotation
+    double      dt;        // s
+    bool        aligned;   // all cells full, else some have slivers
   };
 
 
-  /// A block of 1 m x 1 m on the grid. Elastic: in free flight, spinning by
-  /// 0.5 rad in the step. Softening: on a fixed base, with its weight applied
-  /// at once, twice what it can carry.
+  /// A block of 1 m (0.5 m in 3D) on the grid. Elastic: in free flight,
+  /// spinning by 0.5 rad in the step. Softening: on a fixed base, with its
+  /// weight applied at once, twice what it can carry.
   template <int dim>
   Outcome
   solve(const Problem &problem, const std::string &tangent)
@@ -44,14 +46,16 @@ namespace
     const auto grid = Lattice::grid<dim>(2., h);
     Point<dim> lower;
     for (unsigned int d = 0; d < dim; ++d)
-      lower[d] = 0.43;
+      lower[d] = problem.aligned ? 0.5 : 0.43;
     if (problem.softening)
       lower[1] = 0.;
-    auto      points = Lattice::box(lower, dim == 2 ? 8 : 4, 0.5 * h, density);
+    const double size = dim == 2 ? 1. : 0.5;
+    const double c_i  = size; // kPa
+    auto      points  = Lattice::box(lower, dim == 2 ? 8 : 4, 0.5 * h, density);
     Materials materials;
     if (problem.softening)
       materials.push_back(std::make_unique<VonMisesSoftening>(
-        density, 1000., 0.45, 2., 0.5, -50.));
+        density, 1000., 0.45, c_i, 0.3 * c_i, -50.));
     else
       materials.push_back(
         std::make_unique<LinearElastic>(density, 1000., 0.45));
@@ -67,7 +71,6 @@ namespace
     Weights<dim>        weights(grid, ShapeFunctions::gimp);
     NodalState          nodes(grid);
     weights.reinit(points);
-    const double   size = dim == 2 ? 1. : 0.5;
     Point<dim>     centre;
     Tensor<2, dim> spin;
     for (unsigned int d = 0; d < dim; ++d)
@@ -88,11 +91,11 @@ namespace
       history.begin()[dof] = 0.;
 
     NewtonParameters parameters;
-    parameters.tangent                   = tangent;
-    parameters.tolerance                 = 3e-14;
-    parameters.linear_tolerance          = 1e-12;
+    parameters.tangent          = tangent;
+    parameters.tolerance        = tangent == "consistent" ? 3e-14 : 1e-10;
+    parameters.linear_tolerance = 1e-12;
     parameters.maximum_linear_iterations = 3000;
-    parameters.maximum_iterations        = tangent == "consistent" ? 20 : 150;
+    parameters.maximum_iterations        = tangent == "consistent" ? 20 : 400;
     NewtonSolver<dim> newton(
       weights, fixities, parameters, density * std::pow(h, dim), 1.);
     typename NewtonSolver<dim>::Inertia inertia;
@@ -109,7 +112,7 @@ namespace
     outcome.n_points            = points.n_points();
     if (problem.softening)
       for (const double c : points.scalar("undrained shear strength"))
-        outcome.n_softening += c < 2.;
+        outcome.n_softening += c < c_i;
     return outcome;
   }
 
@@ -127,10 +130,43 @@ namespace
 
   template <int dim>
   void
-  check_convergence(const std::string &name, const Problem &problem)
+  record(const Problem     &problem,
+         const std::string &tangent,
+         const Outcome     &outcome)
+  {
+    const std::string step =
+      problem.name + (problem.aligned ? ", full cells" : ", cut cells");
+    const auto &e = outcome.residuals;
+    if (dim == 2)
+      for (unsigned int k = 0; k < std::min<std::size_t>(e.size(), 101); ++k)
+        Verification::row("newton",
+                          "step,tangent,iteration,residual",
+                          '"' + step + '"',
+                          tangent,
+                          k,
+                          e[k]);
+    Verification::row("newton_iterations",
+                      "step,dimension,tangent,to 1e-3,to 1e-6,to 1e-10,"
+                      "points softening,points",
+                      '"' + step + '"',
+                      dim,
+                      tangent,
+                      n_iterations(e, 1e-3),
+                      n_iterations(e, 1e-6),
+                      n_iterations(e, 1e-10),
+                      outcome.n_softening,
+                      outcome.n_points);
+  }
+
+
+  template <int dim>
+  void
+  check_convergence(const Problem &problem)
   {
     const Outcome newton = solve<dim>(problem, "consistent");
     const auto   &e      = newton.residuals;
+    SCOPED_TRACE(problem.name + ' ' + std::to_string(problem.aligned) + ' ' +
+                 std::to_string(dim));
 
     // Quadratic: once below 1e-2, e_{k+1} <= C e_k^2 until round-off.
     const double C = 10., round_off = 1e-13;
@@ -139,66 +175,56 @@ namespace
       if (e[k] < 1e-2 && e[k] > round_off)
         {
           EXPECT_LE(e[k + 1], std::max(C * e[k] * e[k], round_off))
-            << name << " iteration " << k;
+            << "iteration " << k;
           ++n_quadratic;
         }
-    EXPECT_GE(n_quadratic, 2u) << name;
-    EXPECT_LT(e.back(), round_off) << name;
+    EXPECT_GE(n_quadratic, 2u);
+    EXPECT_LT(e.back(), round_off);
+    EXPECT_LE(e.size(), 9u);
     if (problem.softening)
       {
-        EXPECT_GT(newton.n_softening, newton.n_points / 4);
+        EXPECT_GT(newton.n_softening, newton.n_points / 2);
         EXPECT_GT(newton.mean_plastic_strain, 1e-3);
       }
 
-    // Double mapping: no quadratic end, but the same answer.
+    // Double mapping: linear at best, but the same answer where it gets there.
     const Outcome mapped = solve<dim>(problem, "double mapping");
-    EXPECT_LT(mapped.residuals.back(), 1e-6) << name;
-    NodalVector difference = mapped.increment;
-    difference -= newton.increment;
-    EXPECT_LT(difference.linfty_norm(), 1e-4 * newton.increment.linfty_norm())
-      << name;
-    const int last = n_iterations(mapped.residuals, 1e-6);
-    EXPECT_GT(last, n_iterations(e, 1e-6) + 2) << name;
-
-    for (const auto &[tangent, outcome] :
-         {std::pair<const char *, const Outcome &>("consistent", newton),
-          std::pair<const char *, const Outcome &>("double mapping", mapped)})
+    const int     last   = n_iterations(mapped.residuals, 1e-10);
+    EXPECT_TRUE(last < 0 || last >= 2 * n_iterations(e, 1e-10)) << last;
+    EXPECT_LT(mapped.residuals.back(), 1e-3);
+    if (problem.aligned)
       {
-        for (unsigned int k = 0; k < outcome.residuals.size(); ++k)
-          Verification::row("newton",
-                            "step,dimension,tangent,iteration,residual",
-                            name,
-                            dim,
-                            tangent,
-                            k,
-                            outcome.residuals[k]);
-        Verification::row("newton_iterations",
-                          "step,dimension,tangent,to 1e-3,to 1e-6,to 1e-10,"
-                          "points softening,points",
-                          name,
-                          dim,
-                          tangent,
-                          n_iterations(outcome.residuals, 1e-3),
-                          n_iterations(outcome.residuals, 1e-6),
-                          n_iterations(outcome.residuals, 1e-10),
-                          outcome.n_softening,
-                          outcome.n_points);
+        EXPECT_LE(mapped.residuals.back(), 1e-10);
+        NodalVector difference = mapped.increment;
+        difference -= newton.increment;
+        EXPECT_LT(difference.linfty_norm(),
+                  1e-6 * newton.increment.linfty_norm());
       }
+    record<dim>(problem, "consistent", newton);
+    record<dim>(problem, "double mapping", mapped);
   }
 } // namespace
 
 
 TEST(Mechanics, newton_is_quadratic_in_an_elastic_large_rotation)
 {
-  check_convergence<2>("elastic rotation", {false, 0.02});
-  check_convergence<3>("elastic rotation", {false, 0.02});
+  for (const bool aligned : {true, false})
+    {
+      const Problem problem = {"elastic rotation", false, 0.02, aligned};
+      check_convergence<2>(problem);
+      check_convergence<3>(problem);
+    }
 }
 
 
 TEST(Mechanics, newton_is_quadratic_in_softening)
 {
-  check_convergence<2>("softening", {true, 0.05});
-  check_convergence<3>("softening", {true, 0.05});
+  for (const bool aligned : {true, false})
+    {
+      const Problem problem = {"softening", true, 0.1, aligned};
+      check_convergence<2>(problem);
+      check_convergence<3>(problem);
+    }
 }
 
 

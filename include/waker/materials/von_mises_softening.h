@@ -16,7 +16,7 @@ namespace Waker
    * The return is radial and in closed form, the tangent is the algorithmic
    * one. In softening it is indefinite. It needs 3 G + sqrt(3) H_s > 0.
    */
-  class VonMisesSoftening : public LinearElastic
+  class VonMisesSoftening final : public LinearElastic
   {
   public:
     /// Which invariant of the plastic strain softens: sqrt(2/3 e:e), the

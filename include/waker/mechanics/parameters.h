@@ -38,10 +38,12 @@ namespace Waker
   {
     std::string tangent = "consistent"; // or "double mapping"
     /// Converged when the mass-weighted norm of the residual is below this
-    /// share of the external force's (see mechanics/newton.h).
+    /// share of that of the external, internal and inertial forces together
+    /// (see mechanics/newton.h).
     double       tolerance          = 1e-3;
     unsigned int maximum_iterations = 20;
-    /// Relative accuracy of the linear solves (inexact Newton).
+    /// Relative accuracy of the linear solves (inexact Newton); they stop
+    /// earlier where the tolerance above is reached.
     double       linear_tolerance          = 2e-3;
     unsigned int maximum_linear_iterations = 500;
     /// Start from v dt + a dt^2 / 2 instead of 0.

@@ -79,8 +79,8 @@ namespace Waker
     void
     prepare(const Operator &A);
 
-    /// @param tolerance relative reduction of the preconditioned residual: of
-    ///        displacements, so that a sliver node counts as any other
+    /// @param tolerance relative reduction of the residual, a force: its norm
+    ///        is Newton's but for the weights
     LinearReport
     solve(const Operator    &A,
           NodalVector       &x,

@@ -18,13 +18,15 @@ namespace Waker
   describe_case(const Case<dim> &the_case, Log &log);
 
   /// What came out, in a few lines.
+  /// @param wall_time, steps_done of this start of the program
   template <int dim>
   void
-  describe_result(const State<dim>  &state,
-                  const std::string &outcome,
-                  const std::string &reason,
-                  const double       wall_time,
-                  Log               &log);
+  describe_result(const State<dim>   &state,
+                  const std::string  &outcome,
+                  const std::string  &reason,
+                  const double        wall_time,
+                  const std::uint64_t steps_done,
+                  Log                &log);
 } // namespace Waker
 
 #endif

@@ -1,0 +1,142 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A run that is killed and resumed leaves the same files, bit for bit, as one
+that was not.
+
+usage: restart.py WAKER SOURCE_DIRECTORY [SEED]
+
+Kills with SIGKILL: several times at random moments of a failing dyke, and once
+inside the window of a stop rule (the dyke is at rest, but not yet for long
+enough). Also ends a run with SIGTERM, which writes a checkpoint of its own.
+"""
+import json
+import os
+import random
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+waker, source = sys.argv[1:3]
+rng = random.Random(int(sys.argv[3]) if len(sys.argv) > 3 else None)
+case = os.path.join(source, "parameters", "chapter5", "dyke_weak.prm")
+
+# Coarse, so that a run takes seconds; a checkpoint every 0.1 s, so that the
+# kills fall between checkpoints that are not all the same.
+coarse = ["Grid/Cell size=0.5", "Output/Interval=0.2",
+          "Output/Checkpoint interval=0.1"]
+failing = coarse + ["Materials/clay/Initial strength=8",
+                    "Materials/clay/Residual strength=3"]
+# Comes to rest; the window of the rule is made long, the checks are in it.
+resting = coarse + ["Materials/clay/Initial strength=13",
+                    "Materials/clay/Residual strength=5",
+                    "Stop rules/Rest duration=3"]
+
+
+def command(folder, settings, *flags):
+    words = [waker, "run", case, "--set", "Output/Directory=" + folder, *flags]
+    for setting in settings:
+        words += ["--set", setting]
+    return words
+
+
+def start(folder, settings, *flags):
+    return subprocess.Popen(command(folder, settings, *flags),
+                            stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+
+
+def simulated_time(folder):
+    """Time in the last complete row of the statistics on disk."""
+    try:
+        with open(os.path.join(folder, "statistics")) as file:
+            rows = file.read().split("\n")[:-1]
+        return float(rows[-1].split()[1])
+    except (OSError, IndexError, ValueError):
+        return 0.
+
+
+def has_checkpoint(folder):
+    slots = os.path.join(folder, "checkpoints")
+    return os.path.isdir(slots) and any(
+        name.endswith(".bin") for name in os.listdir(slots))
+
+
+def kill_and_resume(folder, settings, moments, kill=signal.SIGKILL):
+    """Kill at each simulated moment (s), resume, and finally let it end."""
+    kills = 0
+    run = start(folder, settings)
+    for moment in moments:
+        while run.poll() is None and not (
+                has_checkpoint(folder) and simulated_time(folder) >= moment):
+            time.sleep(0.002)
+        time.sleep(0.03 * rng.random())
+        if run.poll() is not None:
+            break
+        run.send_signal(kill)
+        run.wait()
+        kills += 1
+        run = start(folder, settings, "--resume")
+    error = run.communicate()[1].decode()
+    if run.returncode != 0:
+        sys.exit(f"resumed run ended with {run.returncode}: {error}")
+    return kills
+
+
+def files(folder):
+    """Everything that must be equal, by name."""
+    found = {}
+    for base, _, names in os.walk(folder):
+        if "checkpoints" in base:
+            continue
+        for name in names:
+            if name in ("log.txt", "parameters.prm"):
+                continue  # the log tells of the resumption; the folder differs
+            with open(os.path.join(base, name), "rb") as file:
+                found[os.path.relpath(os.path.join(base, name), folder)] = (
+                    file.read())
+    summary = json.loads(found.pop("summary.json"))
+    summary.pop("wall_time")
+    found["summary.json"] = json.dumps(summary)
+    return found
+
+
+def compare(name, reference, resumed, kills):
+    a, b = files(reference), files(resumed)
+    different = sorted(set(a) ^ set(b)) + sorted(
+        key for key in set(a) & set(b) if a[key] != b[key])
+    print(f"{name}: {kills} kills, {len(a)} files, "
+          f"{len(different)} different {different[:4]}")
+    return kills > 0 and not different
+
+
+def last_state(folder):
+    """The two newest checkpoints hold the final state: compare them too."""
+    slots = os.path.join(folder, "checkpoints")
+    return max((os.path.join(slots, name) for name in os.listdir(slots)),
+               key=os.path.getmtime)
+
+
+ok = True
+with tempfile.TemporaryDirectory() as folder:
+    for name, settings, moments, kill in [
+            ("killed at random while failing", failing,
+             sorted(rng.uniform(0.2, 4.) for _ in range(4)), signal.SIGKILL),
+            ("killed in the window of the stop rule", resting,
+             [rng.uniform(1.5, 3.5)], signal.SIGKILL),
+            ("ended with SIGTERM", failing, [rng.uniform(0.5, 3.)],
+             signal.SIGTERM)]:
+        safe = name.replace(" ", "_")
+        whole = os.path.join(folder, safe + "_whole")
+        parts = os.path.join(folder, safe + "_parts")
+        subprocess.run(command(whole, settings), check=True,
+                       stdout=subprocess.DEVNULL)
+        kills = kill_and_resume(parts, settings, moments, kill)
+        ok = compare(name, whole, parts, kills) and ok
+        with open(last_state(whole), "rb") as a, open(last_state(parts),
+                                                      "rb") as b:
+            # All but the output folder's name is the same: the blob, too.
+            same = a.read() == b.read()
+        print(f"  final checkpoint {'equal' if same else 'DIFFERENT'}")
+        ok = ok and same
+sys.exit(0 if ok else 1)
