@@ -2,7 +2,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <waker/base/errors.h>
-#include <waker/nodes/expression.h>
+#include <waker/base/expression.h>
 #include <waker/nodes/fixities.h>
 
 #include <algorithm>
@@ -187,7 +187,7 @@ namespace Waker
                 {
                   const std::string path =
                     "Boundary conditions/" + fixity.name + "/Displacement";
-                  Expression<dim> expression(texts[c], path);
+                  Expression<dim> expression(texts[c], path, ", or \"free\"");
                   check_start(grid, nodes, expression, path);
                   hold.component[c] = true;
                   if (!expression.moves())

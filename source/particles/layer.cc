@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/utilities.h>
 
 #include <waker/base/errors.h>
 #include <waker/particles/layer.h>
 
 #include <algorithm>
+#include <cmath>
+#include <sstream>
 
 namespace Waker
 {
@@ -27,9 +30,10 @@ namespace Waker
                       Patterns::List(Patterns::Double()));
     prm.add_parameter("Velocity",
                       velocity,
-                      "Initial velocity of the layer (m/s), one number per "
-                      "direction. Empty: at rest.",
-                      Patterns::List(Patterns::Double()));
+                      "Initial velocity of the layer (m/s): per component a "
+                      "number or an expression of x, y, z (m); for example "
+                      "\"0.1*sin(pi*x/50); 0\". Empty: at rest.",
+                      Patterns::Anything());
   }
 
 
@@ -37,6 +41,25 @@ namespace Waker
   LayerParameters::corners() const
   {
     return parse_polygon(polygon, "Soil profile/" + name + "/Polygon");
+  }
+
+
+  std::vector<std::string>
+  LayerParameters::velocity_components(const unsigned int dim) const
+  {
+    const char separator = velocity.find(';') != std::string::npos ? ';' : ',';
+    const std::vector<std::string> parts =
+      Utilities::split_string_list(velocity, separator);
+    if (!parts.empty() && (parts.size() != dim ||
+                           std::count(parts.begin(), parts.end(), "") != 0))
+      throw UserError("Soil profile/" + name + "/Velocity",
+                      "\"" + velocity + "\" has " +
+                        std::to_string(parts.size()) +
+                        " numbers or expressions",
+                      std::to_string(dim) + " numbers or expressions in " +
+                        std::to_string(dim) +
+                        "D with \";\" between them, or nothing");
+    return parts;
   }
 
 
@@ -136,14 +159,37 @@ namespace Waker
       }
     layer.material = material - material_names.begin();
 
-    const std::vector<double> &velocity = parameters.velocity;
-    if (!velocity.empty() && velocity.size() != dim)
-      throw UserError(layer.path + "/Velocity",
-                      "has " + std::to_string(velocity.size()) + " numbers",
-                      std::to_string(dim) + " numbers in " +
-                        std::to_string(dim) + "D, or nothing");
+    const std::string path = layer.path + "/Velocity";
+    for (const std::string &text : parameters.velocity_components(dim))
+      {
+        layer.velocity.emplace_back(text, path);
+        if (layer.velocity.back().moves())
+          throw UserError(path,
+                          "\"" + text + "\" depends on the time t",
+                          "expressions of the place only");
+      }
+  }
+
+
+  template <int dim>
+  Tensor<1, dim>
+  Layer<dim>::velocity_at(const Point<dim> &x) const
+  {
+    Tensor<1, dim> v;
     for (unsigned int d = 0; d < velocity.size(); ++d)
-      layer.velocity[d] = velocity[d];
+      {
+        v[d] = velocity[d].value(x, 0.);
+        if (!std::isfinite(v[d]))
+          {
+            std::ostringstream where;
+            where << "\"" << velocity[d].text() << "\" is " << v[d]
+                  << " at the point (" << x << ") m";
+            throw UserError(path + "/Velocity",
+                            where.str(),
+                            "a finite number (m/s) at every point");
+          }
+      }
+    return v;
   }
 
 
@@ -170,6 +216,8 @@ namespace Waker
   }
 
 
+  template struct Layer<2>;
+  template struct Layer<3>;
   template Layer<2>
   place_layer(const BackgroundGrid<2> &, const LayerParameters &);
   template Layer<3>

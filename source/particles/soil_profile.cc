@@ -171,7 +171,7 @@ namespace Waker
         points.half_size[p]     = half_size;
         points.position[p]      = seeds[p].position;
         points.initial_position[p] = seeds[p].position;
-        points.velocity[p]         = layer.velocity;
+        points.velocity[p]         = layer.velocity_at(seeds[p].position);
         point_volume += points.volume[p];
         point_mass += points.mass[p];
       }

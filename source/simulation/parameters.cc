@@ -62,11 +62,7 @@ namespace Waker
                               number(layer.extent[1]) + " m",
                             "the smaller number first");
         }
-      if (!layer.velocity.empty())
-        check_length(path + "Velocity",
-                     layer.velocity,
-                     dim,
-                     "Dimension = " + std::to_string(dim));
+      layer.velocity_components(dim);
       layer.corners();
     }
 

@@ -260,7 +260,7 @@ TEST(Particles, layers_have_material_and_velocity)
 {
   const auto      grid         = dyke_grid();
   LayerParameters upper        = layer("0,1; 10,1.7; 10,3; 0,3", "sand");
-  upper.velocity               = {1., -2.};
+  upper.velocity               = "1, -2";
   const LayerParameters lower  = layer("10,0; 10,1.7; 0,1; 0,0");
   const auto            points = make(grid, {upper, lower});
   double                clay = 0., sand = 0.;
@@ -281,6 +281,37 @@ TEST(Particles, layers_have_material_and_velocity)
     }
   EXPECT_NEAR(clay, 13.5, 1e-11);
   EXPECT_NEAR(sand, 16.5, 1e-11);
+}
+
+
+TEST(Particles, velocity_follows_its_expressions)
+{
+  const auto      grid = dyke_grid();
+  LayerParameters l    = layer(dyke);
+  l.velocity           = "0.1*sin(pi*x/50); -y^2 + min(x, 1)";
+  const auto points    = make(grid, {l});
+  for (std::size_t p = 0; p < points.n_points(); ++p)
+    {
+      const Point<2> x = points.position[p];
+      ASSERT_DOUBLE_EQ(points.velocity[p][0],
+                       0.1 * std::sin(numbers::PI * x[0] / 50.));
+      ASSERT_DOUBLE_EQ(points.velocity[p][1],
+                       -x[1] * x[1] + std::min(x[0], 1.));
+    }
+
+  const BackgroundGrid<3> block(Point<3>(0., 0., 0.),
+                                Point<3>(2., 2., 2.),
+                                1.,
+                                MPI_COMM_SELF);
+  l            = layer("0,0; 2,0; 2,2; 0,2");
+  l.velocity   = "z; 0; x*y";
+  const auto q = make(block, {l});
+  for (std::size_t p = 0; p < q.n_points(); ++p)
+    {
+      EXPECT_EQ(q.velocity[p][0], q.position[p][2]);
+      EXPECT_EQ(q.velocity[p][1], 0.);
+      EXPECT_EQ(q.velocity[p][2], q.position[p][0] * q.position[p][1]);
+    }
 }
 
 
@@ -381,9 +412,21 @@ TEST(Particles, bad_profiles_are_named)
       EXPECT_EQ(e.allowed, "clay, sand");
       EXPECT_NE(e.problem.find("peat"), std::string::npos);
     }
-  l          = layer(dyke);
-  l.velocity = {1.};
-  EXPECT_EQ(where_it_fails(grid, {l}), "Soil profile/layer/Velocity");
+  l = layer(dyke);
+  for (const char *velocity : {"1",
+                               "1; 2; 3",
+                               "1, 2, 3",
+                               "1;",
+                               "; 1",
+                               "x, atan2(x, y)", // commas: plain numbers only
+                               "1; two",
+                               "1; x*t",
+                               "1; 0/(x*0)"})
+    {
+      l.velocity = velocity;
+      EXPECT_EQ(where_it_fails(grid, {l}), "Soil profile/layer/Velocity")
+        << velocity;
+    }
   l        = layer(dyke);
   l.extent = {0., 1.};
   EXPECT_EQ(where_it_fails(grid, {l}), "Soil profile/layer/Extent");
@@ -415,13 +458,14 @@ TEST(Particles, profile_parameters_are_read)
   m.add_parameters(prm);
   prm.parse_input_from_string("set Material = clay\n"
                               "set Polygon = 0,0; 1,0; 1,1\n"
-                              "set Velocity = 1, 2.5\n"
+                              "set Velocity = 0.1*x; atan2(y, 2)\n"
                               "set Points per direction = 3\n"
                               "set Minimum cut = 0.1\n");
   EXPECT_EQ(l.material, "clay");
   EXPECT_EQ(l.corners().size(), 3u);
   EXPECT_TRUE(l.extent.empty());
-  EXPECT_EQ(l.velocity, (std::vector<double>{1., 2.5}));
+  EXPECT_EQ(l.velocity_components(2),
+            (std::vector<std::string>{"0.1*x", "atan2(y, 2)"}));
   EXPECT_EQ(m.points_per_direction, 3u);
   EXPECT_EQ(m.minimum_cut, 0.1);
 }

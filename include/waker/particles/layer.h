@@ -4,6 +4,7 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <waker/base/expression.h>
 #include <waker/grid/background_grid.h>
 #include <waker/particles/soil_profile.h>
 
@@ -16,12 +17,13 @@ namespace Waker
   template <int dim>
   struct Layer
   {
-    std::string    path;          // "Soil profile/<name>"
-    Polygon        corners;       // m, anticlockwise, inside the grid's box
-    double         begin    = 0.; // extent along z (m); in 2D a slice of 1 m
-    double         end      = 1.;
-    unsigned int   material = 0; // number
-    Tensor<1, dim> velocity;     // m/s
+    std::string  path;          // "Soil profile/<name>"
+    Polygon      corners;       // m, anticlockwise, inside the grid's box
+    double       begin    = 0.; // extent along z (m); in 2D a slice of 1 m
+    double       end      = 1.;
+    unsigned int material = 0; // number
+    /// Initial velocity (m/s), one per component; none: at rest.
+    std::vector<Expression<dim>> velocity;
 
     /// Volume (m^dim).
     double
@@ -29,6 +31,11 @@ namespace Waker
     {
       return signed_area(corners) * (end - begin);
     }
+
+    /// Initial velocity at x (m/s).
+    /// @throws UserError ".../Velocity" if it is not a finite number there
+    Tensor<1, dim>
+    velocity_at(const Point<dim> &x) const;
   };
 
   /// Corners and extent of a layer; its material and velocity are left open.
@@ -40,7 +47,8 @@ namespace Waker
               const LayerParameters     &parameters);
 
   /// Set the layer's material and velocity.
-  /// @throws UserError ".../Material": unknown; ".../Velocity": wrong length
+  /// @throws UserError ".../Material": unknown; ".../Velocity": wrong length,
+  /// no expression of place
   template <int dim>
   void
   fill_layer(const LayerParameters          &parameters,

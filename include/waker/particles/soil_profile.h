@@ -26,8 +26,9 @@ namespace Waker
     std::string polygon;
     /// 3D: from z0 to z1 (m); empty: over the whole grid.
     std::vector<double> extent;
-    /// Initial velocity (m/s), empty: at rest.
-    std::vector<double> velocity;
+    /// Initial velocity (m/s): per component an expression of the point's x, y,
+    /// z (m), for example "0.1*sin(pi*x/50); 0". Empty: at rest.
+    std::string velocity;
 
     void
     add_parameters(ParameterHandler &prm);
@@ -37,6 +38,12 @@ namespace Waker
     /// not numbers, self-crossing, zero area
     Polygon
     corners() const;
+
+    /// The expressions of the velocity, one per component; none: at rest.
+    /// Plain numbers may also have commas between them.
+    /// @throws UserError "Soil profile/<name>/Velocity": not `dim` parts
+    std::vector<std::string>
+    velocity_components(const unsigned int dim) const;
   };
 
   /// Section "Material points".
@@ -72,7 +79,8 @@ namespace Waker
    * @param material_names to find a layer's material
    * @throws UserError: no layers, a polygon or extent outside the grid's box
    * (margin not included), layers that overlap, an unknown material, an extent
-   * or velocity of the wrong length; and what corners() throws
+   * or velocity of the wrong length, a velocity that is no number at a point or
+   * that is no expression of place; and what corners() throws
    */
   template <int dim>
   MaterialPoints<dim>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef waker_nodes_expression_h
-#define waker_nodes_expression_h
+#ifndef waker_base_expression_h
+#define waker_base_expression_h
 
 #include <deal.II/base/point.h>
 
@@ -26,8 +26,11 @@ namespace Waker
   {
   public:
     /// @param path of the parameter, for the error
+    /// @param or_else what else the parameter takes, for the error
     /// @throws UserError if the text is no expression
-    Expression(const std::string &text, const std::string &path);
+    Expression(const std::string &text,
+               const std::string &path,
+               const std::string &or_else = "");
 
     ~Expression();
     Expression(Expression &&);

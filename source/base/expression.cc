@@ -3,7 +3,7 @@
 #include <deal.II/base/numbers.h>
 
 #include <waker/base/errors.h>
-#include <waker/nodes/expression.h>
+#include <waker/base/expression.h>
 
 #include <cctype>
 #include <iostream>
@@ -36,7 +36,9 @@ namespace Waker
 
 
   template <int dim>
-  Expression<dim>::Expression(const std::string &text, const std::string &path)
+  Expression<dim>::Expression(const std::string &text,
+                              const std::string &path,
+                              const std::string &or_else)
     : expression(text)
     , parser(std::make_unique<FunctionParser<dim>>(1))
     , moving(uses(text, "t"))
@@ -73,7 +75,7 @@ namespace Waker
     if (!reason.empty())
       throw UserError(path,
                       "\"" + text + "\" cannot be read (" + reason + ")",
-                      "expressions of " + variables + ", or \"free\"");
+                      "expressions of " + variables + or_else);
   }
 
 
