@@ -24,13 +24,21 @@ def text(value):
     return "none" if value is None else f"{value:.2f}"
 
 
-def shear_band_width(points):
-    """Thickness (m) of the main slip at mid-height: soil that has lost more than
-    half of what it can lose, along x, times the sine of a slope of 45 degrees."""
+def shear_band_width(points, cell, c):
+    """Horizontal width (m) at a height of 2 m of the main slip: from the first
+    point, seen from the water, that has lost more than half of what it can lose
+    of its strength, to the next one that has not."""
     x, y = points["position"][:, 0], points["position"][:, 1]
-    row = (np.abs(y - 2.0) < 0.25) & (points["undrained_shear_strength"]
-                                      < 0.5 * (10 + 3.85))
-    return points["volume"][row].sum() / 0.5 * np.sqrt(0.5) if row.any() else 0
+    row = np.abs(y - 2.0) < 0.5 * cell
+    order = np.argsort(x[row])
+    intact = points["undrained_shear_strength"][row][order] \
+        > 0.5 * (c + c / 2.6)
+    x = x[row][order]
+    if intact.all():
+        return 0.0
+    start = np.argmin(intact)
+    after = intact[start:]
+    return (x[start + np.argmax(after)] if after.any() else x[-1]) - x[start]
 
 
 with workspace(__doc__) as work:
@@ -60,7 +68,7 @@ with workspace(__doc__) as work:
                             **measures.strength(c, c / 2.6)})
             start = run["initial_failure_time"]
             band = ("" if start is None else
-                    f"{shear_band_width(run.points(start + 1)):.2f}")
+                    f"{shear_band_width(run.points(start + 1), cell, c):.2f}")
             print(f"| h = {cell} | c_i = {c} | {run['outcome']} | "
                   f"{text(start)} | {text(run['flooding_time'])} | {band} | "
                   f"{run['unconverged_steps']} unconverged | "
@@ -84,8 +92,9 @@ write_csv("mesh_width", {
     **{f"W_m_h_{cell:g}": np.interp(longest, times, columns[WIDTH])
        for cell, (times, columns) in curves.items()}})
 
-figure = plt.figure(figsize=(10, 6.4))
-left = figure.add_subplot(2, 2, 1)
+figure = plt.figure(figsize=(11, 5))
+layout = figure.add_gridspec(3, 2, width_ratios=(1, 1.5))
+left = figure.add_subplot(layout[:, 0])
 for key, label, line in (("fos_perfect", "no softening", "s--"),
                          ("fos_scaled_softening",
                           "$H_s$ in proportion to h", "^-"),
@@ -96,13 +105,14 @@ left.set_xscale("log", base=2)
 left.set_xticks(CELLS, [f"{cell:g}" for cell in CELLS])
 left.set_xlabel("cell size h (m)")
 left.set_ylabel("factor of safety")
-left.legend(fontsize=8)
+left.set_ylim(1.0, None)
+left.legend(loc="lower right")
 for number, (cell, (points, time)) in enumerate(states.items()):
-    axes = figure.add_subplot(2, 2, number + 2)
+    axes = figure.add_subplot(layout[number, 1])
     draw_points(axes, points, points["undrained_shear_strength"],
-                cmap="viridis", s=1.6 * (cell / 0.25)**2)
+                cmap="viridis", s=2.2 * (cell / 0.25)**2)
     axes.set_xlim(-1, 33)
-    axes.set_title(f"h = {cell:g} m, c_i = 9 kPa, {time:.2f} s: strength",
-                   fontsize=9)
+    axes.set_title(f"strength, h = {cell:g} m, $c_i$ = 9 kPa, "
+                   f"t = {time:.2f} s", fontsize=9)
 figure.tight_layout()
 save(figure, "mesh")

@@ -17,8 +17,9 @@ namespace Waker
       explicit Explicit(const SchemeInput<dim> &in)
         : in(in)
         , stress_update(in.materials, in.objective_rate)
-        , spring_stiffness(stiffest_modulus(in.materials) *
-                           std::pow(in.grid.cell_size(), dim - 2))
+        , springs(make_springs(in.fixities,
+                               stiffest_modulus(in.materials),
+                               in.grid.cell_size()))
         , stretched(in.grid.n_dofs())
       {}
 
@@ -50,7 +51,7 @@ namespace Waker
     private:
       const SchemeInput<dim> in;
       StressUpdate<dim>      stress_update;
-      double                 spring_stiffness;
+      const Springs          springs;
       NodalVector            stretched; // increments that strain the points, m
       std::vector<double>    removed_increments;
       std::vector<double>    spring_targets;
@@ -101,18 +102,15 @@ namespace Waker
           }
       // A spring as stiff as a penalty would need far smaller steps: taken
       // implicitly it needs none.
-      const auto &springs = in.fixities.penalties();
-      for (std::size_t k = 0; k < springs.size(); ++k)
+      for (std::size_t k = 0; k < springs.dofs.size(); ++k)
         {
-          const unsigned int dof  = springs[k].dof;
+          const unsigned int dof  = springs.dofs[k];
           const double       mass = nodes.mass[dof / dim];
+          const double       c    = springs.stiffness[k];
           if (mass > 0.)
-            {
-              const double stiffness = springs[k].factor * spring_stiffness;
-              new_a[dof]             = (mass * new_a[dof] +
-                            stiffness * (spring_targets[k] - dt * v[dof])) /
-                           (mass + stiffness * dt * dt);
-            }
+            new_a[dof] =
+              (mass * new_a[dof] + c * (spring_targets[k] - dt * v[dof])) /
+              (mass + c * dt * dt);
         }
       for (const unsigned int dof : removed)
         new_a[dof] = 0.;
@@ -171,6 +169,16 @@ namespace Waker
         {
           report.reaction[dof % dim] += internal[dof] - external[dof];
           report.support_work += (internal[dof] - external[dof]) * u[dof];
+        }
+      for (std::size_t k = 0; k < springs.dofs.size(); ++k)
+        {
+          const unsigned int dof = springs.dofs[k];
+          if (nodes.mass[dof / dim] == 0.)
+            continue;
+          const double force =
+            -springs.stiffness[k] * (u[dof] - spring_targets[k]);
+          report.reaction[dof % dim] += force;
+          report.support_work += force * u[dof];
         }
       for (std::size_t i = 0; i < nodes.mass.size(); ++i)
         {

@@ -50,6 +50,7 @@ namespace Waker
     public:
       Factorisation(const ConsistentTangent<2>       &tangent,
                     const std::vector<unsigned char> &removed,
+                    const Springs                    &springs,
                     const std::vector<double>        &mass);
 
       void
@@ -64,6 +65,7 @@ namespace Waker
 
     Factorisation::Factorisation(const ConsistentTangent<2>       &tangent,
                                  const std::vector<unsigned char> &removed,
+                                 const Springs                    &springs,
                                  const std::vector<double>        &mass)
       : equation(removed.size(), -1)
     {
@@ -138,6 +140,9 @@ namespace Waker
                 }
             }
         }
+      for (std::size_t k = 0; k < springs.dofs.size(); ++k)
+        if (const int e = equation[springs.dofs[k]]; e >= 0)
+          matrix.coeffRef(e, e) += springs.stiffness[k];
       matrix.makeCompressed();
       ldlt.compute(matrix);
       if (ldlt.info() != Eigen::Success)
@@ -188,15 +193,13 @@ namespace Waker
     void
     solve_iteratively(const ConsistentTangent<dim>    &tangent,
                       const std::vector<unsigned int> &removed,
+                      const Springs                   &springs,
                       const std::vector<double>       &mass,
                       NodalVector                     &x,
                       const NodalVector               &b)
     {
-      const std::vector<unsigned int> no_dofs;
-      const std::vector<double>       no_springs;
-      const SystemOperator            system(
-        tangent, 1., 0., mass, removed, no_dofs, no_springs);
-      NodalVector diagonal;
+      const SystemOperator system(tangent, 1., 0., mass, removed, springs);
+      NodalVector          diagonal;
       diagonal.reinit(b);
       system.add_diagonal(diagonal);
       DiagonalMatrix<NodalVector> jacobi;
@@ -252,6 +255,13 @@ namespace Waker
     R.reinit(nodes.external_force);
     correction.reinit(nodes.external_force);
     nodes.increment = 0.;
+    double modulus  = 0.;
+    for (const auto &material : elastic)
+      modulus = std::max(modulus,
+                         material->bulk_modulus() +
+                           4. / 3. * material->shear_modulus());
+    const Springs springs =
+      make_springs(fixities, modulus, weights.background_grid().cell_size());
 
     stress_update.evaluate(points,
                            weights,
@@ -262,6 +272,7 @@ namespace Waker
     if constexpr (dim == 2)
       factorisation = std::make_unique<Factorisation>(tangent,
                                                       fixities.removed(),
+                                                      springs,
                                                       nodes.mass);
 
     GravityReport report;
@@ -272,6 +283,9 @@ namespace Waker
         R -= nodes.internal_force;
         for (const unsigned int dof : fixities.removed_list())
           R.begin()[dof] = 0.;
+        for (std::size_t k = 0; k < springs.dofs.size(); ++k)
+          R.begin()[springs.dofs[k]] -=
+            springs.stiffness[k] * nodes.increment.begin()[springs.dofs[k]];
         const double norm = weighted_norm<dim>(R, nodes.mass, full_node_mass);
         if (iteration == 0)
           reference = norm;
@@ -288,8 +302,12 @@ namespace Waker
         if constexpr (dim == 2)
           factorisation->solve(correction, R);
         else
-          solve_iteratively(
-            tangent, fixities.removed_list(), nodes.mass, correction, R);
+          solve_iteratively(tangent,
+                            fixities.removed_list(),
+                            springs,
+                            nodes.mass,
+                            correction,
+                            R);
         nodes.increment += correction;
         stress_update.evaluate(points,
                                weights,

@@ -16,12 +16,10 @@ namespace Waker
       explicit Newmark(const SchemeInput<dim> &in)
         : in(in)
         , stress_update(in.materials, in.objective_rate)
-        , newton(in.weights,
-                 in.fixities,
-                 in.newton,
-                 in.full_node_mass,
-                 stiffest_modulus(in.materials) *
-                   std::pow(in.grid.cell_size(), dim - 2))
+        , springs(make_springs(in.fixities,
+                               stiffest_modulus(in.materials),
+                               in.grid.cell_size()))
+        , newton(in.weights, in.fixities, in.newton, in.full_node_mass, springs)
         , history(in.grid.n_dofs())
       {}
 
@@ -49,6 +47,7 @@ namespace Waker
     private:
       const SchemeInput<dim> in;
       StressUpdate<dim>      stress_update;
+      const Springs          springs;
       NewtonSolver<dim>      newton;
       NodalVector            history; // 4 v / dt + a, m/s^2
       std::vector<double>    removed_increments;
@@ -173,6 +172,16 @@ namespace Waker
           const double force = r_end * (internal[dof] - external[dof]) +
                                nodes.mass[dof / dim] * new_a[dof];
           report.reaction[dof % dim] += internal[dof] - external[dof];
+          report.support_work += force * u[dof];
+        }
+      for (std::size_t k = 0; k < springs.dofs.size(); ++k)
+        {
+          const unsigned int dof = springs.dofs[k];
+          if (nodes.mass[dof / dim] == 0.)
+            continue;
+          const double force =
+            -springs.stiffness[k] * (u[dof] - spring_targets[k]);
+          report.reaction[dof % dim] += force;
           report.support_work += force * u[dof];
         }
     }

@@ -10,6 +10,9 @@ namespace Waker
   {
     /// Linear residuals aim at this share of Newton's tolerance.
     constexpr double linear_margin = 0.3;
+
+    /// A residual below this share of the terms it is made of is round-off.
+    constexpr double round_off = 1e-13;
   } // namespace
 
 
@@ -18,22 +21,17 @@ namespace Waker
                                   const Fixities<dim>    &fixities,
                                   const NewtonParameters &parameters,
                                   const double            full_node_mass,
-                                  const double            spring_stiffness)
+                                  const Springs          &springs)
     : fixities(&fixities)
     , parameters(parameters)
     , full_node_mass(full_node_mass)
+    , springs(springs)
     , consistent(weights)
     , double_mapped(weights)
     , linear_solver(weights.background_grid().n_dofs())
     , R(weights.background_grid().n_dofs())
     , correction(weights.background_grid().n_dofs())
-  {
-    for (const auto &penalty : fixities.penalties())
-      {
-        spring_dofs.push_back(penalty.dof);
-        springs.push_back(penalty.factor * spring_stiffness);
-      }
-  }
+  {}
 
 
   template <int dim>
@@ -58,37 +56,40 @@ namespace Waker
           if (q != nullptr)
             r[dof] -= nodes.mass[i] * (inertia.factor * u[dof] - q[dof]);
         }
-    for (std::size_t k = 0; k < springs.size(); ++k)
-      if (nodes.mass[spring_dofs[k] / dim] > 0.)
-        r[spring_dofs[k]] -=
-          springs[k] * (u[spring_dofs[k]] - spring_targets[k]);
+    for (std::size_t k = 0; k < springs.dofs.size(); ++k)
+      {
+        const unsigned int dof = springs.dofs[k];
+        if (nodes.mass[dof / dim] > 0.)
+          r[dof] -= springs.stiffness[k] * (u[dof] - spring_targets[k]);
+      }
     for (const unsigned int dof : fixities->removed_list())
       r[dof] = 0.;
 
     const unsigned char *const removed = fixities->removed().data();
-    double                     sum = 0., reference = 0.;
+    double                     sum = 0., reference = 0., terms = 0.;
     for (std::size_t i = 0; i < n; ++i)
       if (nodes.mass[i] > 0.)
         {
-          const double share    = std::min(1., nodes.mass[i] / full_node_mass);
-          double       node_sum = 0., node_reference = 0.;
+          const double mass  = nodes.mass[i];
+          const double share = std::min(1., mass / full_node_mass);
           for (unsigned int c = 0; c < dim; ++c)
-            if (!removed[dim * i + c])
-              {
-                const std::size_t dof = dim * i + c;
-                const double      inertial =
-                  q != nullptr
-                         ? nodes.mass[i] * (inertia.factor * u[dof] - q[dof])
-                         : 0.;
-                node_sum += r[dof] * r[dof];
-                node_reference += external[dof] * external[dof] +
-                                  internal[dof] * internal[dof] +
-                                  inertial * inertial;
-              }
-          sum += share * node_sum;
-          reference += share * node_reference;
+            {
+              const std::size_t dof = dim * i + c;
+              const double      square =
+                external[dof] * external[dof] + internal[dof] * internal[dof];
+              const double ku = mass * inertia.factor * u[dof];
+              const double mq = q != nullptr ? mass * q[dof] : 0.;
+              terms += share * (square + ku * ku + mq * mq);
+              if (!removed[dof])
+                {
+                  const double inertial = q != nullptr ? ku - mq : 0.;
+                  sum += share * r[dof] * r[dof];
+                  reference += share * (square + inertial * inertial);
+                }
+            }
         }
-    return sum > 0. ? std::sqrt(sum / reference) : 0.;
+    return sum > round_off * round_off * terms ? std::sqrt(sum / reference)
+                                               : 0.;
   }
 
 
@@ -110,7 +111,6 @@ namespace Waker
                                 inertia.factor,
                                 nodes.mass,
                                 fixities->removed_list(),
-                                spring_dofs,
                                 springs);
     NewtonReport         report;
     while (true)

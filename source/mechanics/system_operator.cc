@@ -6,22 +6,44 @@
 #include <waker/mechanics/system_operator.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace Waker
 {
+  template <int dim>
+  Springs
+  make_springs(const Fixities<dim> &fixities,
+               const double         modulus,
+               const double         h)
+  {
+    Springs springs;
+    for (const auto &penalty : fixities.penalties())
+      {
+        springs.dofs.push_back(penalty.dof);
+        springs.stiffness.push_back(penalty.factor * modulus *
+                                    std::pow(h, dim - 2));
+      }
+    return springs;
+  }
+
+
+  template Springs
+  make_springs(const Fixities<2> &, const double, const double);
+  template Springs
+  make_springs(const Fixities<3> &, const double, const double);
+
+
   SystemOperator::SystemOperator(const Operator                  &stiffness,
                                  const double                     ramp,
                                  const double                     inertia,
                                  const std::vector<double>       &mass,
                                  const std::vector<unsigned int> &removed,
-                                 const std::vector<unsigned int> &spring_dofs,
-                                 const std::vector<double>       &springs)
+                                 const Springs                   &springs)
     : stiffness(&stiffness)
     , ramp(ramp)
     , inertia(inertia)
     , mass(&mass)
     , removed(&removed)
-    , spring_dofs(&spring_dofs)
     , springs(&springs)
   {}
 
@@ -43,8 +65,8 @@ namespace Waker
       for (std::size_t i = 0; i < n_nodes; ++i)
         for (unsigned int c = 0; c < 3; ++c)
           y[3 * i + c] = ramp * y[3 * i + c] + inertia * m[i] * x[3 * i + c];
-    for (std::size_t k = 0; k < spring_dofs->size(); ++k)
-      y[(*spring_dofs)[k]] += (*springs)[k] * x[(*spring_dofs)[k]];
+    for (std::size_t k = 0; k < springs->dofs.size(); ++k)
+      y[springs->dofs[k]] += springs->stiffness[k] * x[springs->dofs[k]];
     for (const unsigned int dof : *removed)
       y[dof] = 0.;
   }
@@ -61,8 +83,8 @@ namespace Waker
     for (std::size_t i = 0; i < mass->size(); ++i)
       for (unsigned int c = 0; c < dim; ++c)
         y[dim * i + c] += ramp * K.begin()[dim * i + c] + inertia * (*mass)[i];
-    for (std::size_t k = 0; k < spring_dofs->size(); ++k)
-      y[(*spring_dofs)[k]] += (*springs)[k];
+    for (std::size_t k = 0; k < springs->dofs.size(); ++k)
+      y[springs->dofs[k]] += springs->stiffness[k];
     for (const unsigned int dof : *removed)
       y[dof] = 0.;
   }

@@ -4,6 +4,7 @@
 #include "mapping_lattice.h"
 #include "verification_data.h"
 #include <gtest/gtest.h>
+#include <iomanip>
 #include <sstream>
 
 // A block in free flight, and a block at rest: whole steps of a realisation.
@@ -36,8 +37,10 @@ namespace
     p.layers[0].polygon = polygon.str();
     if (dim == 3)
       p.layers[0].extent = {a, b};
+    std::ostringstream speed;
     for (unsigned int d = 0; d < dim; ++d)
-      p.layers[0].velocity.push_back(velocity[d]);
+      speed << (d == 0 ? "" : "; ") << std::setprecision(17) << velocity[d];
+    p.layers[0].velocity     = speed.str();
     p.gravity.initial_stress = false;
     p.time.ramp_duration     = 0.;
     p.time.time_step         = 0.01;

@@ -31,6 +31,8 @@ namespace Waker
    * norm of the external, internal and inertial forces, where phi_i = m_i / m
    * is the share of a full node's mass that node i has: the force on a node
    * that a support domain has hardly touched means nothing, and does not count.
+   * A residual that is round-off of its own terms has converged as well: a body
+   * in uniform motion has no force to compare with.
    */
   template <int dim>
   class NewtonSolver
@@ -42,7 +44,7 @@ namespace Waker
                  const Fixities<dim>    &fixities,
                  const NewtonParameters &parameters,
                  const double            full_node_mass,
-                 const double            spring_stiffness);
+                 const Springs          &springs);
 
     /// The inertia term M (k u - q) and the ramp r.
     struct Inertia
@@ -72,16 +74,15 @@ namespace Waker
              const std::vector<double> &spring_targets,
              const NodalState          &nodes);
 
-    const Fixities<dim>      *fixities;
-    NewtonParameters          parameters;
-    double                    full_node_mass;
-    std::vector<unsigned int> spring_dofs;
-    std::vector<double>       springs;
-    ConsistentTangent<dim>    consistent;
-    DoubleMappedTangent<dim>  double_mapped;
-    LinearSolver              linear_solver;
-    NodalVector               R;
-    NodalVector               correction;
+    const Fixities<dim>     *fixities;
+    NewtonParameters         parameters;
+    double                   full_node_mass;
+    Springs                  springs;
+    ConsistentTangent<dim>   consistent;
+    DoubleMappedTangent<dim> double_mapped;
+    LinearSolver             linear_solver;
+    NodalVector              R;
+    NodalVector              correction;
   };
 } // namespace Waker
 

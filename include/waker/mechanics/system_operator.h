@@ -11,6 +11,21 @@
 
 namespace Waker
 {
+  /// Springs that hold dofs: the penalty form of a support.
+  struct Springs
+  {
+    std::vector<unsigned int> dofs;
+    std::vector<double>       stiffness; // kN/m
+  };
+
+  /// The springs of the fixities' penalty dofs, on a grid with cells of h.
+  /// @param modulus the stiffest K + 4G/3 (kPa)
+  template <int dim>
+  Springs
+  make_springs(const Fixities<dim> &fixities,
+               const double         modulus,
+               const double         h);
+
   /**
    * K* = r K + k M + penalty springs on the equations that are not removed
    * (eq. 2.24 of Remmerswaal 2023, with the residual ramp r).
@@ -23,15 +38,14 @@ namespace Waker
      * @param ramp r
      * @param inertia k: 4 / dt^2 for Newmark, 0 in a static step
      * @param mass lumped, Mg, one per node (dim dofs each)
-     * @param springs stiffness of the penalty dofs (kN/m)
+     * @param removed the dofs whose equations are removed
      */
     SystemOperator(const Operator                  &stiffness,
                    const double                     ramp,
                    const double                     inertia,
                    const std::vector<double>       &mass,
                    const std::vector<unsigned int> &removed,
-                   const std::vector<unsigned int> &spring_dofs,
-                   const std::vector<double>       &springs);
+                   const Springs                   &springs);
 
     void
     vmult(NodalVector &dst, const NodalVector &src) const override;
@@ -51,8 +65,7 @@ namespace Waker
     double                           inertia;
     const std::vector<double>       *mass;
     const std::vector<unsigned int> *removed;
-    const std::vector<unsigned int> *spring_dofs;
-    const std::vector<double>       *springs;
+    const Springs                   *springs;
     mutable NodalVector              stiffness_diagonal; // work space
   };
 
