@@ -18,10 +18,6 @@ import sys
 import tempfile
 import time
 
-waker, source = sys.argv[1:3]
-rng = random.Random(int(sys.argv[3]) if len(sys.argv) > 3 else None)
-case = os.path.join(source, "parameters", "chapter5", "dyke_weak.prm")
-
 # Coarse, so that a run takes seconds; a checkpoint every 0.1 s, so that the
 # kills fall between checkpoints that are not all the same.
 coarse = ["Grid/Cell size=0.5", "Output/Interval=0.2",
@@ -34,15 +30,16 @@ resting = coarse + ["Materials/clay/Initial strength=13",
                     "Stop rules/Rest duration=3"]
 
 
-def command(folder, settings, *flags):
-    words = [waker, "run", case, "--set", "Output/Directory=" + folder, *flags]
+def command(waker, folder, settings, *flags):
+    """`waker`: program and .prm file."""
+    words = [waker[0], "run", waker[1], "--set", "Output/Directory=" + folder, *flags]
     for setting in settings:
         words += ["--set", setting]
     return words
 
 
-def start(folder, settings, *flags):
-    return subprocess.Popen(command(folder, settings, *flags),
+def start(waker, folder, settings, *flags):
+    return subprocess.Popen(command(waker, folder, settings, *flags),
                             stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
 
 
@@ -62,10 +59,11 @@ def has_checkpoint(folder):
         name.endswith(".bin") for name in os.listdir(slots))
 
 
-def kill_and_resume(folder, settings, moments, kill=signal.SIGKILL):
-    """Kill at each simulated moment (s), resume, and finally let it end."""
-    kills = 0
-    run = start(folder, settings)
+def kill_and_resume(waker, folder, settings, moments, kill, rng):
+    """Kill at each simulated moment (s), resume, and finally let it end.
+    Returns the times up to which the statistics were on disk at the kills."""
+    kills = []
+    run = start(waker, folder, settings)
     for moment in moments:
         while run.poll() is None and not (
                 has_checkpoint(folder) and simulated_time(folder) >= moment):
@@ -75,8 +73,8 @@ def kill_and_resume(folder, settings, moments, kill=signal.SIGKILL):
             break
         run.send_signal(kill)
         run.wait()
-        kills += 1
-        run = start(folder, settings, "--resume")
+        kills.append(simulated_time(folder))
+        run = start(waker, folder, settings, "--resume")
     error = run.communicate()[1].decode()
     if run.returncode != 0:
         sys.exit(f"resumed run ended with {run.returncode}: {error}")
@@ -105,38 +103,48 @@ def compare(name, reference, resumed, kills):
     a, b = files(reference), files(resumed)
     different = sorted(set(a) ^ set(b)) + sorted(
         key for key in set(a) & set(b) if a[key] != b[key])
-    print(f"{name}: {kills} kills, {len(a)} files, "
+    print(f"{name}: {len(kills)} kills, {len(a)} files, "
           f"{len(different)} different {different[:4]}")
-    return kills > 0 and not different
+    return len(kills) > 0 and not different
 
 
 def last_state(folder):
-    """The two newest checkpoints hold the final state: compare them too."""
+    """The newest checkpoint holds the final state."""
     slots = os.path.join(folder, "checkpoints")
     return max((os.path.join(slots, name) for name in os.listdir(slots)),
                key=os.path.getmtime)
 
 
-ok = True
-with tempfile.TemporaryDirectory() as folder:
-    for name, settings, moments, kill in [
-            ("killed at random while failing", failing,
-             sorted(rng.uniform(0.2, 4.) for _ in range(4)), signal.SIGKILL),
-            ("killed in the window of the stop rule", resting,
-             [rng.uniform(1.5, 3.5)], signal.SIGKILL),
-            ("ended with SIGTERM", failing, [rng.uniform(0.5, 3.)],
-             signal.SIGTERM)]:
-        safe = name.replace(" ", "_")
-        whole = os.path.join(folder, safe + "_whole")
-        parts = os.path.join(folder, safe + "_parts")
-        subprocess.run(command(whole, settings), check=True,
-                       stdout=subprocess.DEVNULL)
-        kills = kill_and_resume(parts, settings, moments, kill)
-        ok = compare(name, whole, parts, kills) and ok
-        with open(last_state(whole), "rb") as a, open(last_state(parts),
-                                                      "rb") as b:
-            # All but the output folder's name is the same: the blob, too.
-            same = a.read() == b.read()
-        print(f"  final checkpoint {'equal' if same else 'DIFFERENT'}")
-        ok = ok and same
-sys.exit(0 if ok else 1)
+def main():
+    waker = (sys.argv[1], os.path.join(sys.argv[2], "parameters", "chapter5",
+                                       "dyke_weak.prm"))
+    seed = int(sys.argv[3]) if len(sys.argv) > 3 else random.randrange(10**6)
+    print(f"seed {seed}")
+    rng = random.Random(seed)
+    ok = True
+    with tempfile.TemporaryDirectory() as folder:
+        for name, settings, moments, kill in [
+                ("killed at random while failing", failing,
+                 sorted(rng.uniform(0.2, 4.) for _ in range(4)),
+                 signal.SIGKILL),
+                ("killed in the window of the stop rule", resting,
+                 [rng.uniform(1.5, 3.5)], signal.SIGKILL),
+                ("ended with SIGTERM", failing, [rng.uniform(0.5, 3.)],
+                 signal.SIGTERM)]:
+            safe = name.replace(" ", "_")
+            whole = os.path.join(folder, safe + "_whole")
+            parts = os.path.join(folder, safe + "_parts")
+            subprocess.run(command(waker, whole, settings), check=True,
+                           stdout=subprocess.DEVNULL)
+            kills = kill_and_resume(waker, parts, settings, moments, kill, rng)
+            ok = compare(name, whole, parts, kills) and ok
+            with open(last_state(whole), "rb") as a, open(last_state(parts),
+                                                          "rb") as b:
+                same = a.read() == b.read()
+            print(f"  final checkpoint {'equal' if same else 'DIFFERENT'}")
+            ok = ok and same
+    return 0 if ok else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

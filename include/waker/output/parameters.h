@@ -18,7 +18,7 @@ namespace Waker
   {
     std::string directory = "output";
     /// Time between ParaView files (s); 0: none but the first and the last.
-    double interval  = 0.1;
+    double interval  = 0.25;
     bool   particles = true;
     bool   surface   = true;
     bool   grid      = true;
