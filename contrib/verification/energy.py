@@ -59,7 +59,6 @@ with workspace(__doc__) as work:
         print("| " + " | ".join(value if isinstance(value, str)
                                 else f"{value:.3g}" for value in row) + " |",
               flush=True)
-        run = None
 
 write_csv("energy", {"time_s": times,
                      **{key + "_kJ": base[name]

@@ -30,14 +30,13 @@ with workspace(__doc__) as work:
     for name, (file, changes) in case.variants(CELL, True).items():
         run = work.run("run", file, {**SETTINGS, **changes})
         difference, ratios = case.compare(checks, name, base, run, CELL)
-        if name == "mirrored":
-            case.check_mirrored(checks, base, run)
         for key, value in zip(table, (name, run["initial_failure_time"],
                                       run["flooding_time"], *ratios.values(),
                                       difference)):
             table[key].append(value)
         runs[name] = sampled(run, [WIDTH])
         widths[name] = run["initial_width"]
+    case.check_mirrored(checks, work, SETTINGS)
 
 for row in zip(*table.values()):
     print("| " + " | ".join(value if isinstance(value, str)

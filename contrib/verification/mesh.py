@@ -48,16 +48,16 @@ with workspace(__doc__) as work:
     for cell in CELLS:
         grid = {"Grid/Cell size": cell}
         row = [cell]
-        for file, changes, factor in (
-                ("chapter5/dyke_fos.prm", {}, 1),
+        for file, changes in (
+                ("chapter5/dyke_fos.prm", {}),
                 ("verification/dyke_no_softening.prm",
                  {**measures.strength(13, 13),
                   "Strength reduction/Lower factor": 1.5,
-                  "Strength reduction/Upper factor": 2.1}, 1),
-                ("chapter5/dyke_fos.prm", {MODULUS: -50 * cell / 0.25}, 1)):
+                  "Strength reduction/Upper factor": 2.1}),
+                ("chapter5/dyke_fos.prm", {MODULUS: -50 * cell / 0.25})):
             result = work.factor_of_safety("fos", file,
                                            {**grid, **SEARCH, **changes})
-            row.append(factor * result["factor_of_safety"])
+            row.append(result["factor_of_safety"])
         for key, value in zip(table, row):
             table[key].append(value)
         print("| " + " | ".join(f"{value:.3f}" for value in row) + " |",

@@ -177,11 +177,3 @@ def surface_agreement(one, other, limit=CELL):
     length = np.linalg.norm(one[:, 1] - one[:, 0], axis=1)
     distance = distances(middle, other)
     return np.sum(length[distance <= limit]) / np.sum(length), distance
-
-
-def displacement_difference(run, other, time):
-    """Root mean square difference of the displacements of the same points,
-    over the root mean square displacement."""
-    a, b = run.points(time), other.points(time)
-    u, v = (p["displacement"][:, :2] for p in (a, b))
-    return np.sqrt(np.sum((u - v)**2) / np.sum(u**2))

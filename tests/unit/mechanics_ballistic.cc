@@ -139,7 +139,7 @@ namespace
     EXPECT_LT(worst.place, 1e-11) << scheme << ' ' << functions << ' ' << dim;
     EXPECT_LT(worst.velocity, 1e-9) << scheme << ' ' << functions << ' ' << dim;
     EXPECT_LT(worst.stress, 1e-8) << scheme << ' ' << functions << ' ' << dim;
-    Verification::row("ballistic",
+    Verification::row("patch_rotation_flight",
                       "scheme,functions,dimension,gravity,predictor,"
                       "largest place error (m),velocity error (m/s),"
                       "stress (kPa)",
@@ -201,7 +201,7 @@ namespace
         moved,
         (state.points.position[q] - state.points.initial_position[q]).norm());
     EXPECT_LT(moved, 1e-9) << scheme;
-    Verification::row("block_at_rest",
+    Verification::row("patch_rotation_rest",
                       "scheme,dimension,steps,weight (kN),"
                       "largest relative error of the reaction,"
                       "largest displacement (m)",

@@ -97,7 +97,7 @@ namespace
     parameters.maximum_linear_iterations = 3000;
     parameters.maximum_iterations        = tangent == "consistent" ? 20 : 400;
     NewtonSolver<dim> newton(
-      weights, fixities, parameters, density * std::pow(h, dim), 1.);
+      weights, fixities, parameters, density * std::pow(h, dim), {});
     typename NewtonSolver<dim>::Inertia inertia;
     inertia.factor  = 4. / (problem.dt * problem.dt);
     inertia.history = &history;
@@ -263,7 +263,7 @@ TEST(Mechanics, newton_sees_convergence_without_load)
   NewtonParameters parameters;
   parameters.tolerance        = 1e-8;
   parameters.linear_tolerance = 1e-12;
-  NewtonSolver<2>    newton(weights, fixities, parameters, density * h * h, 1.);
+  NewtonSolver<2>    newton(weights, fixities, parameters, density * h * h, {});
   StressUpdate<2>    update(materials, false);
   const NewtonReport report = newton.solve(points, {}, {}, update, nodes);
   update.accept(points);
