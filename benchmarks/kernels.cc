@@ -139,17 +139,11 @@ namespace WakerBenchmarks
 
       Tangent tangent(m.scene.weights);
       tangent.reinit(m.stress_update, m.points);
-      const std::vector<unsigned int> no_dofs;
-      const std::vector<double>       no_springs;
-      const SystemOperator            system(tangent,
-                                  1.,
-                                  4. / (m.dt * m.dt),
-                                  nodes.mass,
-                                  removed,
-                                  no_dofs,
-                                  no_springs);
-      LinearSolver                    solver(m.the_case.grid.n_dofs());
-      LinearReport                    report;
+      const Springs        no_springs;
+      const SystemOperator system(
+        tangent, 1., 4. / (m.dt * m.dt), nodes.mass, removed, no_springs);
+      LinearSolver solver(m.the_case.grid.n_dofs());
+      LinearReport report;
       for (auto _ : timer)
         {
           solver.prepare(system);

@@ -94,26 +94,13 @@ namespace Waker
     for (std::size_t p = 0; p < tangents.size(); ++p)
       {
         // C[c]: what A does to one component alone.
-        const auto &A = tangents[p].A;
-        double      C[dim][dim][dim];
+        const auto    &A = tangents[p].A;
+        Tensor<2, dim> C[dim];
         for (unsigned int c = 0; c < dim; ++c)
           for (unsigned int d = 0; d < dim; ++d)
             for (unsigned int e = 0; e < dim; ++e)
               C[c][d][e] = A[row<dim>(c, d)][dim * c + e];
-        stencil.for_each_node((*weights)[p],
-                              [&](const unsigned int node,
-                                  const double,
-                                  const Tensor<1, dim> &gradient) {
-                                for (unsigned int c = 0; c < dim; ++c)
-                                  {
-                                    double sum = 0.;
-                                    for (unsigned int d = 0; d < dim; ++d)
-                                      for (unsigned int e = 0; e < dim; ++e)
-                                        sum += gradient[d] * C[c][d][e] *
-                                               gradient[e];
-                                    f[dim * node + c] += sum;
-                                  }
-                              });
+        stencil.scatter_quadratic((*weights)[p], C, f);
       }
   }
 

@@ -136,6 +136,7 @@ TEST(Control, the_end_time_is_met_in_spite_of_round_off)
     }
   EXPECT_NE(time, 40.); // the sum is not exact
   EXPECT_EQ(rules(time, plastic, fast), StopReason::end_time);
+  EXPECT_EQ(rules(40. - 1e-13, plastic, fast), StopReason::end_time);
   EXPECT_EQ(rules(39.99, plastic, fast), StopReason::none);
   EXPECT_EQ(rules(40.01, plastic, fast), StopReason::end_time);
 }

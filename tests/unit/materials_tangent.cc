@@ -152,9 +152,10 @@ TEST(Materials, linear_elastic_tangent_is_the_derivative)
 }
 
 
-TEST(Materials, softening_tangent_is_indefinite_hardening_is_not)
+TEST(Materials, softening_tangent_has_the_slope_of_simple_shear)
 {
-  // What the solvers must live with: along the flow direction the stress falls.
+  // Just over yield the stress falls along the flow direction: the solvers must
+  // live with an indefinite tangent.
   const VonMisesSoftening material(1.5, 1000., 0.45, 13., 5., -50.);
   const double            G = 1000. / 2.9;
   Input                   input{{}, {}, 13., 5.};

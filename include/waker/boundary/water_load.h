@@ -28,7 +28,7 @@ namespace Waker
     double unit_weight = 10.;
     /// A node carries load only if its mass is at least this share of the mass
     /// of a node inside the body.
-    double minimum_support = 0.05;
+    double minimum_support = 0.01;
 
     void
     add_parameters(ParameterHandler &prm);

@@ -4,6 +4,7 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <waker/mapping/node_row.h>
 #include <waker/mapping/weights.h>
 
 #include <array>
@@ -25,18 +26,22 @@ namespace Waker
       : row(2 * grid.stride(1))
     {}
 
+    // The three nodes of a row are six numbers side by side (NodeRow): sums
+    // over rows come first.
+
     /// sum_i S_ip u_i
     Tensor<1, 2>
     value(const PointWeights<2> &w, const double *nodal) const
     {
       const double *u = nodal + 2 * w.base;
-      Tensor<1, 2>  sum;
+      NodeRow       s = NodeRow::zero();
       for (unsigned int j = 0; j < 3; ++j, u += row)
-        for (unsigned int c = 0; c < 2; ++c)
-          sum[c] +=
-            w.value[1][j] * (w.value[0][0] * u[c] + w.value[0][1] * u[2 + c] +
-                             w.value[0][2] * u[4 + c]);
-      return sum;
+        s.add(w.value[1][j], NodeRow::load(u));
+      const Two    sum = s.sum(w.value[0]);
+      Tensor<1, 2> result;
+      result[0] = sum[0];
+      result[1] = sum[1];
+      return result;
     }
 
     /// (grad u)_cd = sum_i u_i,c dS_ip/dx_d
@@ -44,18 +49,22 @@ namespace Waker
     gradient(const PointWeights<2> &w, const double *nodal) const
     {
       const double *u = nodal + 2 * w.base;
-      Tensor<2, 2>  sum;
+      NodeRow       s = NodeRow::zero(), t = NodeRow::zero();
       for (unsigned int j = 0; j < 3; ++j, u += row)
-        for (unsigned int c = 0; c < 2; ++c)
-          {
-            sum[c][0] += w.value[1][j] * (w.gradient[0][0] * u[c] +
-                                          w.gradient[0][1] * u[2 + c] +
-                                          w.gradient[0][2] * u[4 + c]);
-            sum[c][1] += w.gradient[1][j] *
-                         (w.value[0][0] * u[c] + w.value[0][1] * u[2 + c] +
-                          w.value[0][2] * u[4 + c]);
-          }
-      return sum;
+        {
+          const NodeRow r = NodeRow::load(u);
+          s.add(w.value[1][j], r);
+          t.add(w.gradient[1][j], r);
+        }
+      const Two    dx = s.sum(w.gradient[0]);
+      const Two    dy = t.sum(w.value[0]);
+      Tensor<2, 2> result;
+      for (unsigned int c = 0; c < 2; ++c)
+        {
+          result[c][0] = dx[c];
+          result[c][1] = dy[c];
+        }
+      return result;
     }
 
     /// nodal_i += S_ip f
@@ -64,16 +73,13 @@ namespace Waker
                   const Tensor<1, 2>    &f,
                   double                *nodal) const
     {
-      double *u = nodal + 2 * w.base;
+      const NodeRow s = NodeRow::outer(w.value[0], Two{f[0], f[1]});
+      double       *u = nodal + 2 * w.base;
       for (unsigned int j = 0; j < 3; ++j, u += row)
         {
-          const double a = w.value[1][j] * f[0];
-          const double b = w.value[1][j] * f[1];
-          for (unsigned int i = 0; i < 3; ++i)
-            {
-              u[2 * i] += w.value[0][i] * a;
-              u[2 * i + 1] += w.value[0][i] * b;
-            }
+          NodeRow r = NodeRow::load(u);
+          r.add(w.value[1][j], s);
+          r.store(u);
         }
     }
 
@@ -83,18 +89,47 @@ namespace Waker
                      const Tensor<2, 2>    &P,
                      double                *nodal) const
     {
-      double *u = nodal + 2 * w.base;
+      const NodeRow s = NodeRow::outer(w.gradient[0], Two{P[0][0], P[1][0]});
+      const NodeRow t = NodeRow::outer(w.value[0], Two{P[0][1], P[1][1]});
+      double       *u = nodal + 2 * w.base;
       for (unsigned int j = 0; j < 3; ++j, u += row)
         {
-          const double ax = w.value[1][j] * P[0][0];
-          const double bx = w.gradient[1][j] * P[0][1];
-          const double ay = w.value[1][j] * P[1][0];
-          const double by = w.gradient[1][j] * P[1][1];
-          for (unsigned int i = 0; i < 3; ++i)
-            {
-              u[2 * i] += w.gradient[0][i] * ax + w.value[0][i] * bx;
-              u[2 * i + 1] += w.gradient[0][i] * ay + w.value[0][i] * by;
-            }
+          NodeRow r = NodeRow::load(u);
+          r.add(w.value[1][j], s);
+          r.add(w.gradient[1][j], t);
+          r.store(u);
+        }
+    }
+
+    /// nodal_i,c += grad S_ip . C_c grad S_ip: what a stiffness has on its
+    /// diagonal.
+    void
+    scatter_quadratic(const PointWeights<2> &w,
+                      const Tensor<2, 2> (&C)[2],
+                      double *nodal) const
+    {
+      double gg[3], gv[3], vv[3];
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          const double g = w.gradient[0][i], v = w.value[0][i];
+          gg[i] = g * g;
+          gv[i] = g * v;
+          vv[i] = v * v;
+        }
+      const NodeRow s = NodeRow::outer(gg, Two{C[0][0][0], C[1][0][0]});
+      const NodeRow t =
+        NodeRow::outer(gv,
+                       Two{C[0][0][1] + C[0][1][0], C[1][0][1] + C[1][1][0]});
+      const NodeRow q = NodeRow::outer(vv, Two{C[0][1][1], C[1][1][1]});
+      double       *u = nodal + 2 * w.base;
+      for (unsigned int j = 0; j < 3; ++j, u += row)
+        {
+          const double v = w.value[1][j], g = w.gradient[1][j];
+          NodeRow      r = NodeRow::load(u);
+          r.add(v * v, s);
+          r.add(v * g, t);
+          r.add(g * g, q);
+          r.store(u);
         }
     }
 
@@ -207,6 +242,20 @@ namespace Waker
               for (unsigned int c = 0; c < 3; ++c)
                 u[3 * i + c] += w.gradient[0][i] * a[c] + w.value[0][i] * b[c];
           }
+    }
+
+    void
+    scatter_quadratic(const PointWeights<3> &w,
+                      const Tensor<2, 3> (&C)[3],
+                      double *nodal) const
+    {
+      for_each_node(w,
+                    [&](const unsigned int node,
+                        const double,
+                        const Tensor<1, 3> &gradient) {
+                      for (unsigned int c = 0; c < 3; ++c)
+                        nodal[3 * node + c] += gradient * (C[c] * gradient);
+                    });
     }
 
     template <typename Function>
