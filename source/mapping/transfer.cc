@@ -20,21 +20,22 @@ namespace Waker
                   double                *momentum,
                   double                *rate)
     {
+      const NodeRow p =
+        NodeRow::outer(w.value[0], Two{m * velocity[0], m * velocity[1]});
+      const NodeRow f =
+        NodeRow::outer(w.value[0],
+                       Two{m * acceleration[0], m * acceleration[1]});
       unsigned int node = w.base;
       for (unsigned int j = 0; j < 3; ++j, node += stencil.row / 2)
         {
-          const double mj = m * w.value[1][j];
           for (unsigned int i = 0; i < 3; ++i)
-            {
-              const double       s = mj * w.value[0][i];
-              const unsigned int n = node + i;
-              mass[n] += s;
-              for (unsigned int c = 0; c < 2; ++c)
-                {
-                  momentum[2 * n + c] += s * velocity[c];
-                  rate[2 * n + c] += s * acceleration[c];
-                }
-            }
+            mass[node + i] += m * w.value[1][j] * w.value[0][i];
+          NodeRow r = NodeRow::load(momentum + 2 * node);
+          r.add(w.value[1][j], p);
+          r.store(momentum + 2 * node);
+          r = NodeRow::load(rate + 2 * node);
+          r.add(w.value[1][j], f);
+          r.store(rate + 2 * node);
         }
     }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/materials/von_mises_softening.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Waker
@@ -45,8 +46,9 @@ namespace Waker
                             double                      *variables,
                             SymmetricTensor<4, 3>       *tangent) const
   {
-    double      &strength       = variables[0];
-    const double residual       = variables[1];
+    double &strength = variables[0];
+    // A weak point may be given less strength than its residual one: it stays.
+    const double residual       = std::min(variables[1], variables[0]);
     double      &plastic_strain = variables[2];
 
     // The trial stress, component by component: this is the hottest function
@@ -99,17 +101,14 @@ namespace Waker
       {
         // K 1x1 + 2G (b1 I_dev - b2 n x n): radial return with linear
         // hardening (Simo & Hughes 1998, box 3.2).
-        SymmetricTensor<2, 3> n; // s / |s|
-        const double          inverse = 1. / std::sqrt(squared);
-        for (unsigned int a = 0; a < 6; ++a)
-          n.access_raw_entry(a) = inverse * s[a];
-        const double beta2 = scale - hardening / (3. * G + hardening);
-        *tangent =
-          scale * elastic_tangent - (2. * G * beta2) * outer_product(n, n);
+        const double beta2      = scale - hardening / (3. * G + hardening);
+        const double factor     = 2. * G * beta2 / squared; // n n = s s / s:s
         const double extra_bulk = (1. - scale) * K;
-        for (unsigned int i = 0; i < 3; ++i)
-          for (unsigned int j = 0; j < 3; ++j)
-            (*tangent)[i][i][j][j] += extra_bulk;
+        for (unsigned int a = 0; a < 6; ++a)
+          for (unsigned int b = 0; b < 6; ++b)
+            tangent->access_raw_entry(6 * a + b) =
+              scale * elastic_tangent.access_raw_entry(6 * a + b) -
+              factor * s[a] * s[b] + (a < 3 && b < 3 ? extra_bulk : 0.);
       }
     return sqrt_3 * new_strength * multiplier;
   }
@@ -155,7 +154,7 @@ namespace Waker
                                2. * (xy * xy + xz * xz + yz * yz);
 
         const double c_old  = strength[l];
-        const double c_r    = residual[l];
+        const double c_r    = std::min(residual[l], c_old);
         const bool   yields = squared > 2. * c_old * c_old;
         const double q      = std::sqrt(yields ? 1.5 * squared : 1.);
 
