@@ -35,9 +35,16 @@ namespace Waker
         for (unsigned int d = 0; d < dim; ++d)
           {
             const double x = points.position[p][d] - origin[d];
-            Weights1D    w1 =
+            // False also for a position that is not a number, which must not
+            // become a node's number.
+            if (!(x >= 0. && x <= (last_base[d] + 2) * grid->cell_size()))
+              {
+                inside = false;
+                continue;
+              }
+            Weights1D w1 =
               gimp ? gimp_weights(x, points.half_size[p][d], inverse_h)
-                      : linear_weights(x, inverse_h);
+                   : linear_weights(x, inverse_h);
             // In the last cell the third node would be off the grid: move the
             // stencil one node down, its unused entry to the front.
             if (w1.base == last_base[d] + 1 && w1.value[2] == 0.)
@@ -50,9 +57,11 @@ namespace Waker
                   }
                 w1.value[0] = w1.gradient[0] = 0.;
               }
-            // The comparison is false for a position that is not a number.
-            inside =
-              inside && x >= 0. && w1.base >= 0 && w1.base <= last_base[d];
+            if (w1.base < 0 || w1.base > last_base[d])
+              {
+                inside = false;
+                continue;
+              }
             w.base += static_cast<unsigned int>(w1.base) * grid->stride(d);
             for (unsigned int i = 0; i < 3; ++i)
               {

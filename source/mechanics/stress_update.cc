@@ -165,9 +165,7 @@ namespace Waker
                               const NodalVector         &increment,
                               NodalVector               &internal_force)
   {
-    if (variable_arrays.size() != materials->size() ||
-        new_stress.size() != points.n_points())
-      find_variables(points);
+    find_variables(points);
     internal_force = 0.;
 
     // In blocks of neighbours of one material.
