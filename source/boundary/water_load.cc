@@ -12,7 +12,9 @@ namespace Waker
   {
     // Where the walk along the surface starts: a vertex of the chain.
     std::size_t
-    find_toe(const SurfaceChain &chain, const bool water_left)
+    find_toe(const SurfaceChain &chain,
+             const bool          water_left,
+             const double        cell_size)
     {
       constexpr int     bottom = 2;
       const std::size_t n      = chain.vertices.size();
@@ -33,15 +35,11 @@ namespace Waker
       if (toe < n)
         return toe;
 
-      // The lowest vertex; heights that differ by round-off are equal.
-      double lowest  = chain.vertices[0][1];
-      double highest = lowest;
+      // The lowest vertex; the detected line of a flat underside scatters.
+      double lowest = chain.vertices[0][1];
       for (const Point<2> &x : chain.vertices)
-        {
-          lowest  = std::min(lowest, x[1]);
-          highest = std::max(highest, x[1]);
-        }
-      const double tolerance = 1e-9 * (highest - lowest);
+        lowest = std::min(lowest, x[1]);
+      const double tolerance = 0.25 * cell_size;
       for (std::size_t k = 0; k < n; ++k)
         if (chain.vertices[k][1] <= lowest + tolerance &&
             (toe == n || outer(k, toe)))
@@ -95,7 +93,7 @@ namespace Waker
       return chain.on_face[left ? next(k) : k];
     };
 
-    std::size_t k        = find_toe(chain, left);
+    std::size_t k        = find_toe(chain, left, grid->cell_size());
     std::size_t n_walked = 0;
     const int   wall     = left ? 0 : 1;
     while (face(k) == wall && n_walked++ < n)

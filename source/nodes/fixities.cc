@@ -243,7 +243,9 @@ namespace Waker
             const int upper = grid.n_nodes_per_direction()[d] - 1 - margin;
             on_box          = on_box && index[d] >= margin && index[d] <= upper;
             const unsigned int dof = dim * node + d;
-            if (removed_dofs[dof] && eliminated_by[dof] == at_rest)
+            if (removed_dofs[dof]
+                  ? eliminated_by[dof] == at_rest
+                  : penalty_factors[dof] > 0. && penalised_by[dof] == at_rest)
               continue;
             faces |= (index[d] == margin) << (2 * d) | (index[d] == upper)
                                                          << (2 * d + 1);

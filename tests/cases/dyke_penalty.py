@@ -4,14 +4,14 @@
 
     /usr/bin/python3 tests/cases/dyke_penalty.py WAKER SOURCE_DIRECTORY
 
-On cells of 0.5 m with c_i = 8 kPa. The proximity field is not mirrored at a base of
-springs, which give way, so it is not mirrored in either run.
+On cells of 0.5 m with c_i = 8 kPa. The times differ by 2 %: unlike
+fixed nodes, those on springs start a step with the velocity of the points above them.
 """
 
 from waker_case import Checks, workspace_of_arguments
 
 COARSE = {"Grid/Cell size": 0.5, "Materials/clay/Initial strength": 8,
-          "Surface/Mirror": "false", "Output/Interval": 0}
+          "Output/Interval": 0}
 
 workspace, _ = workspace_of_arguments()
 with workspace as work:
@@ -26,7 +26,7 @@ with workspace as work:
         checks.between(f"{key}, springs / removed", springs[key] / removed[key],
                        0.95, 1.05)
     reaction = "Reaction y (kN)"
-    checks.between("weight on the springs / on the removed equations, at 0.5 s",
-                   springs.value(reaction, 0.5) / removed.value(reaction, 0.5),
+    checks.between("force of the springs / of the removed equations, at 1.5 s",
+                   springs.value(reaction, 1.5) / removed.value(reaction, 1.5),
                    0.99, 1.01)
 checks.finish()

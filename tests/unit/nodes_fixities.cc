@@ -182,6 +182,11 @@ TEST(Nodes, penalty_gives_way_to_elimination)
   EXPECT_EQ(fixities.closed_faces(), 4u);
   EXPECT_TRUE(fixities.has_prescribed_motion());
 
+  // Springs at rest close a face as well, springs that move do not.
+  FixityParameters base = fixity("bottom");
+  base.method           = "penalty";
+  EXPECT_EQ(Fixities<2>(grid, {base, spring}).closed_faces(), 4u);
+
   std::vector<double> increments;
   fixities.penalty_increments(2., 0.5, increments);
   ASSERT_EQ(increments.size(), 8u);

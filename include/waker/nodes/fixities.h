@@ -124,7 +124,7 @@ namespace Waker
                        std::vector<double> &increments) const;
 
     /// Faces of the box that are closed: each of their nodes is held at rest in
-    /// the normal direction by elimination. Bit 2d for the lower, 2d + 1 for
+    /// the normal direction. Bit 2d for the lower, 2d + 1 for
     /// the upper face in direction d. The proximity field is mirrored there.
     unsigned int
     closed_faces() const
