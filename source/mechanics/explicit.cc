@@ -170,16 +170,7 @@ namespace Waker
           report.reaction[dof % dim] += internal[dof] - external[dof];
           report.support_work += (internal[dof] - external[dof]) * u[dof];
         }
-      for (std::size_t k = 0; k < springs.dofs.size(); ++k)
-        {
-          const unsigned int dof = springs.dofs[k];
-          if (nodes.mass[dof / dim] == 0.)
-            continue;
-          const double force =
-            -springs.stiffness[k] * (u[dof] - spring_targets[k]);
-          report.reaction[dof % dim] += force;
-          report.support_work += force * u[dof];
-        }
+      add_spring_reaction(springs, spring_targets, nodes, report);
       for (std::size_t i = 0; i < nodes.mass.size(); ++i)
         {
           report.gravity_work -= nodes.mass[i] * in.gravity * u[dim * i + 1];

@@ -21,6 +21,26 @@ namespace Waker
   }
 
 
+  template <int dim>
+  void
+  add_spring_reaction(const Springs             &springs,
+                      const std::vector<double> &targets,
+                      const NodalState          &nodes,
+                      StepReport<dim>           &report)
+  {
+    const double *const u = nodes.increment.begin();
+    for (std::size_t k = 0; k < springs.dofs.size(); ++k)
+      {
+        const unsigned int dof = springs.dofs[k];
+        if (nodes.mass[dof / dim] == 0.)
+          continue;
+        const double force = -springs.stiffness[k] * (u[dof] - targets[k]);
+        report.reaction[dof % dim] += force;
+        report.support_work += force * u[dof];
+      }
+  }
+
+
   double
   residual_ramp(const double t, const double duration)
   {
@@ -51,6 +71,16 @@ namespace Waker
   }
 
 
+  template void
+  add_spring_reaction(const Springs &,
+                      const std::vector<double> &,
+                      const NodalState &,
+                      StepReport<2> &);
+  template void
+  add_spring_reaction(const Springs &,
+                      const std::vector<double> &,
+                      const NodalState &,
+                      StepReport<3> &);
   template std::unique_ptr<TimeScheme<2>>
   make_time_scheme(const SchemeInput<2> &);
   template std::unique_ptr<TimeScheme<3>>

@@ -113,6 +113,16 @@ namespace Waker
   std::unique_ptr<TimeScheme<dim>>
   make_time_scheme(const SchemeInput<dim> &input);
 
+  /// Add the force and the work of penalty springs at the end of a step to its
+  /// report.
+  /// @param targets of the springs' increments (m)
+  template <int dim>
+  void
+  add_spring_reaction(const Springs             &springs,
+                      const std::vector<double> &targets,
+                      const NodalState          &nodes,
+                      StepReport<dim>           &report);
+
   /// The residual ramp r(t): from 0 at t = 0 to 1 at `duration`; 1 without.
   double
   residual_ramp(const double t, const double duration);
