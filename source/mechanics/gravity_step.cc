@@ -9,6 +9,7 @@
 #include <waker/mechanics/gravity_step.h>
 #include <waker/mechanics/static_factorisation.h>
 #include <waker/mechanics/system_operator.h>
+#include <waker/mechanics/time_scheme.h>
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
@@ -130,14 +131,10 @@ namespace Waker
     NodalVector            R, correction;
     R.reinit(nodes.external_force);
     correction.reinit(nodes.external_force);
-    nodes.increment = 0.;
-    double modulus  = 0.;
-    for (const auto &material : elastic)
-      modulus = std::max(modulus,
-                         material->bulk_modulus() +
-                           4. / 3. * material->shear_modulus());
-    const Springs springs =
-      make_springs(fixities, modulus, weights.background_grid().cell_size());
+    nodes.increment       = 0.;
+    const Springs springs = make_springs(fixities,
+                                         stiffest_modulus(materials),
+                                         weights.background_grid().cell_size());
 
     stress_update.evaluate(points,
                            weights,
