@@ -47,6 +47,55 @@ namespace Waker
     }
 
 
+    /// "a:b" or "i/n" of two whole numbers.
+    std::pair<std::uint64_t, std::uint64_t>
+    two_numbers(const std::string &option,
+                const std::string &text,
+                const char         separator,
+                const std::string &allowed)
+    {
+      const auto is_number = [](const std::string &part) {
+        return !part.empty() && part.size() < 16 &&
+               part.find_first_not_of("0123456789") == std::string::npos;
+      };
+      const std::size_t at = text.find(separator);
+      if (at == std::string::npos || !is_number(text.substr(0, at)) ||
+          !is_number(text.substr(at + 1)))
+        throw UserError("command line",
+                        "--" + option + " is \"" + text + "\"",
+                        allowed);
+      return {std::stoull(text.substr(0, at)), std::stoull(text.substr(at + 1))};
+    }
+
+
+    void
+    read_parts(const std::string &chunk,
+               const std::string &realisations,
+               CommandLine       &line)
+    {
+      const std::string one_of = "i/n with 1 <= i <= n, for example 2/10";
+      if (!chunk.empty())
+        {
+          std::tie(line.chunk, line.n_chunks) =
+            two_numbers("chunk", chunk, '/', one_of);
+          if (line.chunk < 1 || line.chunk > line.n_chunks)
+            throw UserError("command line",
+                            "--chunk is \"" + chunk + "\"",
+                            one_of);
+        }
+      const std::string range = "a:b with a < b: realisations a to b - 1";
+      if (!realisations.empty())
+        {
+          std::tie(line.first, line.last) =
+            two_numbers("realisations", realisations, ':', range);
+          if (line.first >= line.last)
+            throw UserError("command line",
+                            "--realisations is \"" + realisations + "\"",
+                            range);
+        }
+    }
+
+
     std::string
     one_line(std::string text)
     {
@@ -69,7 +118,7 @@ namespace Waker
     app.require_subcommand(1);
     app.footer("Exit codes: 0 done, 2 wrong input (nothing is written), 3 "
                "numerical failure (recorded),\n130 or 143 interrupted after a "
-               "checkpoint.");
+               "checkpoint or\nwith what is finished in the journals.");
 
     CLI::App *const run =
       add_simulation_command(app, line, "run", "one realisation");
@@ -79,6 +128,46 @@ namespace Waker
                              "strength-reduction",
                              "factor of safety: divide the strengths until the "
                              "dyke fails");
+    CLI::App *const campaign =
+      add_simulation_command(app,
+                             line,
+                             "campaign",
+                             "many realisations of random fields, their "
+                             "probabilities and risk");
+    std::string chunk, realisations;
+    campaign->add_option("--chunk",
+                         chunk,
+                         "i/n: part i of n, for job arrays; joins what is in "
+                         "the folder");
+    campaign->add_option("--realisations",
+                         realisations,
+                         "a:b: only a to b - 1; joins what is in the folder");
+    run->add_option("--realisation",
+                    line.realisation,
+                    "number of the realisation of the random fields");
+    run->add_option("--scenario",
+                    line.scenario,
+                    "number of the scenario of the sweep, from 0");
+
+    CLI::App *const status =
+      app.add_subcommand("status", "how far a campaign is, also while it runs");
+    CLI::App *const merge =
+      app.add_subcommand("merge", "journals of a campaign to results.h5 and report/");
+    for (CLI::App *const command : {status, merge})
+      {
+        command->add_option("FOLDER", line.file, "of the campaign")->required();
+        command
+          ->add_option("--set",
+                       line.overrides,
+                       "\"Section/Name=value\": override a value of Slides, "
+                       "Histograms or Risk")
+          ->allow_extra_args(false)
+          ->type_name("TEXT");
+      }
+    merge->add_flag("--all",
+                    line.all,
+                    "take in realisations beyond the end that a stop rule set");
+
     CLI::App *const parameters =
       app.add_subcommand("parameters", "print every parameter");
     parameters
@@ -96,7 +185,9 @@ namespace Waker
           throw UserError("command line",
                           one_line(error.what()),
                           "waker run FILE, waker strength-reduction FILE, "
-                          "waker parameters; waker --help says more");
+                          "waker campaign FILE, waker status FOLDER, waker "
+                          "merge FOLDER, waker parameters; waker --help says "
+                          "more");
         line.text = text.str();
         return line;
       }
@@ -105,8 +196,15 @@ namespace Waker
       line.command = Command::run;
     else if (strength_reduction->parsed())
       line.command = Command::strength_reduction;
+    else if (campaign->parsed())
+      line.command = Command::campaign;
+    else if (status->parsed())
+      line.command = Command::status;
+    else if (merge->parsed())
+      line.command = Command::merge;
     else if (parameters->parsed())
       line.command = Command::parameters;
+    read_parts(chunk, realisations, line);
     return line;
   }
 } // namespace Waker

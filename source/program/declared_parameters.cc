@@ -3,7 +3,7 @@
 
 #include <waker/program/declared_parameters.h>
 #include <waker/program/prm_scanner.h>
-#include <waker/simulation/parameters.h>
+#include <waker/reliability/input.h>
 
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -85,9 +85,11 @@ namespace Waker
 
   void
   declare_parameters(ParameterHandler     &prm,
-                     Parameters           &parameters,
+                     Input                &input,
                      const ParameterNames &names)
   {
+    Parameters            &parameters  = input.simulation;
+    ReliabilityParameters &reliability = input.reliability;
     prm.add_parameter("Dimension",
                       parameters.dimension,
                       "2: plane strain, per metre. 3: layers are extruded "
@@ -125,6 +127,18 @@ namespace Waker
     declare_section(prm, "Initial failure", parameters.initial_failure);
     declare_section(prm, "Stop rules", parameters.stop);
     declare_section(prm, "Strength reduction", parameters.strength_reduction);
+    declare_named(prm,
+                  "Random fields",
+                  "Names",
+                  "Names of the random fields, separated by commas; each has a "
+                  "subsection. Empty: nothing is random.",
+                  names.fields,
+                  reliability.fields.fields);
+    declare_section(prm, "Random fields", reliability.fields);
+    declare_section(prm, "Campaign", reliability.campaign);
+    declare_section(prm, "Sweep", reliability.sweep);
+    declare_section(prm, "Snapshots", reliability.snapshots);
+    reliability.analysis.add_parameters(prm);
     declare_section(prm, "Output", parameters.output);
   }
 

@@ -5,7 +5,7 @@
 #include <waker/program/declared_parameters.h>
 #include <waker/program/parameter_printer.h>
 #include <waker/program/prm_scanner.h>
-#include <waker/simulation/parameters.h>
+#include <waker/reliability/input.h>
 
 #include <algorithm>
 #include <ostream>
@@ -123,9 +123,11 @@ namespace Waker
   void
   print_parameters(std::ostream &output, const std::string &format)
   {
-    Parameters       parameters;
+    Input            input;
     ParameterHandler prm;
-    declare_parameters(prm, parameters, {{"<name>"}, {"<name>"}, {"<name>"}});
+    declare_parameters(prm,
+                       input,
+                       {{"<name>"}, {"<name>"}, {"<name>"}, {"<name>"}});
 
     const auto style = ParameterHandler::KeepDeclarationOrder;
     if (format == "prm")

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/parameter_handler.h>
 
+#include <waker/base/errors.h>
+#include <waker/base/hash.h>
 #include <waker/program/declared_parameters.h>
 #include <waker/program/parameter_reader.h>
 #include <waker/program/prm_scanner.h>
 #include <waker/program/suggestions.h>
-#include <waker/simulation/parameters.h>
+#include <waker/reliability/input.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -164,27 +166,159 @@ namespace Waker
     }
 
 
-    /// FNV-1a, 64 bit, of what decides the course of a run: how it is watched
-    /// and when it stops may change when it is resumed.
-    std::string
-    hash_of_case(const std::vector<DeclaredParameter> &parameters)
+    /// Does the parameter decide how the state of a realisation goes on from
+    /// one step to the next?
+    bool
+    decides_steps(const DeclaredParameter &parameter)
     {
-      std::uint64_t hash = 14695981039346656037ull;
-      for (const DeclaredParameter &parameter : parameters)
-        if (parameter.section != "Output" &&
-            parameter.section != "Stop rules" &&
-            parameter.section != "Strength reduction" &&
-            parameter.path() != "Time stepping/End time")
-          for (const char c : parameter.path() + "=" + parameter.value + "\n")
-            hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ull;
+      for (const char *const section : {"Output",
+                                        "Stop rules",
+                                        "Strength reduction",
+                                        "Campaign",
+                                        "Sweep",
+                                        "Snapshots",
+                                        "Slides",
+                                        "Histograms",
+                                        "Risk"})
+        if (parameter.section == section)
+          return false;
+      return parameter.path() != "Time stepping/End time";
+    }
 
-      std::ostringstream text;
-      text.width(16);
-      text.fill('0');
-      text << std::hex << hash;
-      return text.str();
+
+    /// Does it decide what comes out of the realisations of a campaign?
+    bool
+    decides_records(const DeclaredParameter &parameter)
+    {
+      return decides_steps(parameter) || parameter.section == "Stop rules" ||
+             parameter.path() == "Time stepping/End time" ||
+             parameter.path() == "Campaign/Seed" ||
+             parameter.path() == "Campaign/Attempts";
+    }
+
+
+    template <typename Predicate>
+    std::string
+    hash_of(const std::vector<DeclaredParameter> &parameters,
+            const Predicate                      &counts)
+    {
+      std::string text;
+      for (const DeclaredParameter &parameter : parameters)
+        if (counts(parameter))
+          text += parameter.path() + "=" + parameter.value + "\n";
+      return hash_of_text(text);
     }
   } // namespace
+
+
+  namespace
+  {
+    std::unique_ptr<Input>
+    make_input(const PrmContents &contents, ParameterLocations &map)
+    {
+      // First the names, then the subsections that they call for.
+      ParameterNames names;
+      names.materials  = read_names(contents, "Materials", "Names");
+      names.layers     = read_names(contents, "Soil profile", "Layers");
+      names.conditions = read_names(contents, "Boundary conditions", "Names");
+      names.fields     = read_names(contents, "Random fields", "Names");
+
+      auto             input = std::make_unique<Input>();
+      ParameterHandler prm;
+      declare_parameters(prm, *input, names);
+      const std::vector<DeclaredParameter> declared = declared_parameters(prm);
+
+      for (const PrmSection &section : contents.sections)
+        {
+          check_section(section, declared);
+          map.lines[section.path] = section.where;
+        }
+      for (const DeclaredParameter &parameter : declared)
+        map.known.insert(parameter.path());
+      for (const PrmEntry &entry : contents.entries)
+        {
+          set_entry(prm, entry, find_declared(entry, declared));
+          map.lines[entry.path()] = entry.where;
+        }
+
+      std::ostringstream text;
+      prm.print_parameters(text,
+                           ParameterHandler::ShortPRM |
+                             ParameterHandler::KeepDeclarationOrder);
+      const std::vector<DeclaredParameter> values = declared_parameters(prm);
+      input->simulation.text                      = text.str();
+      input->simulation.hash                      = hash_of(values, decides_steps);
+      input->campaign_hash = hash_of(values, decides_records);
+
+      try
+        {
+          input->simulation.check();
+          input->reliability.check(input->simulation.dimension);
+        }
+      catch (const UserError &error)
+        {
+          throw map.located(error);
+        }
+      return input;
+    }
+
+
+    PrmContents
+    read_contents(const std::string              &source,
+                  const std::vector<std::string> &overrides,
+                  ParameterLocations             &map)
+    {
+      map        = ParameterLocations();
+      map.source = source == "-"    ? "standard input"
+                   : source.empty() ? in_quotes("")
+                                    : source;
+      const std::vector<PrmEntry> override_list = scan_overrides(overrides);
+      PrmContents                 contents = scan_source(source, map.source);
+      override_entries(contents.entries, override_list);
+      return contents;
+    }
+  } // namespace
+
+
+  std::vector<std::unique_ptr<Input>>
+  read_scenarios(const std::string              &source,
+                 const std::vector<std::string> &overrides,
+                 ParameterLocations             *locations)
+  {
+    ParameterLocations  own_locations;
+    ParameterLocations &map = locations != nullptr ? *locations : own_locations;
+    const PrmContents   contents = read_contents(source, overrides, map);
+
+    std::vector<std::unique_ptr<Input>> scenarios;
+    scenarios.push_back(make_input(contents, map));
+    const SweepParameters sweep = scenarios[0]->reliability.sweep;
+    if (sweep.parameter.empty())
+      return scenarios;
+
+    const std::size_t slash = sweep.parameter.rfind('/');
+    if (map.known.count(sweep.parameter) == 0)
+      throw map.located(UserError("Sweep/Parameter",
+                                  "is \"" + sweep.parameter +
+                                    "\", which does not exist",
+                                  "the path of a parameter, \"Section/Name\"; "
+                                  "waker parameters prints them all"));
+    scenarios.clear();
+    for (const std::string &value : sweep.list())
+      {
+        PrmContents        changed = contents;
+        ParameterLocations unused  = map;
+        override_entries(changed.entries,
+                         {{slash == std::string::npos ?
+                             "" :
+                             sweep.parameter.substr(0, slash),
+                           sweep.parameter.substr(
+                             slash == std::string::npos ? 0 : slash + 1),
+                           value,
+                           map.where("Sweep/Values")}});
+        scenarios.push_back(make_input(changed, unused));
+      }
+    return scenarios;
+  }
 
 
   std::unique_ptr<Parameters>
@@ -194,54 +328,8 @@ namespace Waker
   {
     ParameterLocations  own_locations;
     ParameterLocations &map = locations != nullptr ? *locations : own_locations;
-    map                     = ParameterLocations();
-    map.source              = source == "-"    ? "standard input"
-                              : source.empty() ? in_quotes("")
-                                               : source;
-
-    const std::vector<PrmEntry> override_list = scan_overrides(overrides);
-    PrmContents                 contents      = scan_source(source, map.source);
-    override_entries(contents.entries, override_list);
-
-    // First the names, then the subsections that they call for.
-    ParameterNames names;
-    names.materials  = read_names(contents, "Materials", "Names");
-    names.layers     = read_names(contents, "Soil profile", "Layers");
-    names.conditions = read_names(contents, "Boundary conditions", "Names");
-
-    auto             parameters = std::make_unique<Parameters>();
-    ParameterHandler prm;
-    declare_parameters(prm, *parameters, names);
-    const std::vector<DeclaredParameter> declared = declared_parameters(prm);
-
-    for (const PrmSection &section : contents.sections)
-      {
-        check_section(section, declared);
-        map.lines[section.path] = section.where;
-      }
-    for (const DeclaredParameter &parameter : declared)
-      map.known.insert(parameter.path());
-    for (const PrmEntry &entry : contents.entries)
-      {
-        set_entry(prm, entry, find_declared(entry, declared));
-        map.lines[entry.path()] = entry.where;
-      }
-
-    std::ostringstream text;
-    prm.print_parameters(text,
-                         ParameterHandler::ShortPRM |
-                           ParameterHandler::KeepDeclarationOrder);
-    parameters->text = text.str();
-    parameters->hash = hash_of_case(declared_parameters(prm));
-
-    try
-      {
-        parameters->check();
-      }
-    catch (const UserError &error)
-      {
-        throw map.located(error);
-      }
-    return parameters;
+    const PrmContents   contents = read_contents(source, overrides, map);
+    return std::make_unique<Parameters>(
+      std::move(make_input(contents, map)->simulation));
   }
 } // namespace Waker

@@ -3,16 +3,19 @@
 #include <deal.II/base/mpi.h>
 
 #include <waker/base/errors.h>
+#include <waker/base/log.h>
+#include <waker/output/files.h>
 #include <waker/program/command_line.h>
 #include <waker/program/parameter_printer.h>
 #include <waker/program/parameter_reader.h>
 #include <waker/program/prm_scanner.h>
 #include <waker/program/program.h>
-#include <waker/simulation/parameters.h>
-#include <waker/simulation/run.h>
+#include <waker/reliability/campaign_folder.h>
+#include <waker/reliability/snapshots.h>
 
 #include <csignal>
 #include <cstdlib>
+#include <fstream>
 #include <iostream>
 #include <new>
 #include <sstream>
@@ -44,6 +47,16 @@ namespace Waker
     }
 
 
+    /// Three lines: where, what, what is allowed; tidy() makes one of each.
+    void
+    report(const UserError &error)
+    {
+      std::cerr << tidy(error.where) << '\n'
+                << tidy(error.problem) << '\n'
+                << "allowed: " << tidy(error.allowed) << std::endl;
+    }
+
+
     /// Starting MPI alone is faster when it need not look for other ranks
     /// (0.35 instead of 0.6 s). What the user has set stays.
     void
@@ -59,53 +72,16 @@ namespace Waker
     }
 
 
-    template <int dim>
-    RunStatus
-    dispatch(const Command     command,
-             const Parameters &parameters,
-             const RunOptions &options)
+    unsigned int
+    n_ranks()
     {
-      return command == Command::run
-               ? run<dim>(parameters, options, MPI_COMM_WORLD)
-               : run_strength_reduction<dim>(parameters,
-                                             options,
-                                             MPI_COMM_WORLD);
+      return Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
     }
 
 
     int
-    compute(const CommandLine &line, const Parameters &parameters, char **argv)
+    exit_code(const RunStatus status)
     {
-      // MPI and PETSc would read options that are ours: only the name.
-      int    n_arguments = 1;
-      char  *name[]      = {argv[0], nullptr};
-      char **arguments   = name;
-      prepare_single_rank();
-      const Utilities::MPI::MPI_InitFinalize mpi(n_arguments, arguments, 1);
-      if (Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
-        {
-          if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) > 0)
-            return wrong_input;
-          throw UserError("command line",
-                          "started on " +
-                            std::to_string(
-                              Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD)) +
-                            " ranks",
-                          "one rank per realisation for now");
-        }
-
-      std::signal(SIGINT, note_signal);
-      std::signal(SIGTERM, note_signal);
-      RunOptions options;
-      options.validate_only = line.validate_only;
-      options.resume        = line.resume;
-      options.overwrite     = line.overwrite;
-      options.interrupt     = &received_signal;
-
-      const RunStatus status =
-        parameters.dimension == 2
-          ? dispatch<2>(line.command, parameters, options)
-          : dispatch<3>(line.command, parameters, options);
       switch (status)
         {
           case RunStatus::completed:
@@ -117,6 +93,140 @@ namespace Waker
                    (received_signal != 0 ? received_signal : SIGINT);
         }
       return internal_error;
+    }
+
+
+    /// One realisation, or a strength reduction.
+    template <int dim>
+    int
+    run_one(const CommandLine &line, const Input &input)
+    {
+      if (n_ranks() > 1)
+        throw UserError("command line",
+                        "started on " + std::to_string(n_ranks()) + " ranks",
+                        "one rank per realisation for now; waker campaign "
+                        "takes any number");
+      RunOptions options;
+      options.validate_only = line.validate_only;
+      options.resume        = line.resume;
+      options.overwrite     = line.overwrite;
+      options.interrupt     = &received_signal;
+      if (line.command == Command::strength_reduction)
+        return exit_code(run_strength_reduction<dim>(input.simulation,
+                                                     options,
+                                                     MPI_COMM_WORLD));
+
+      const bool is_random = !input.reliability.fields.fields.empty();
+      if (is_random != line.realisation.has_value())
+        throw is_random ?
+          UserError("Random fields/Names",
+                    "there are random fields, but no --realisation i",
+                    "waker run FILE --realisation i, waker campaign FILE, or "
+                    "--set \"Random fields/Names=\"") :
+          UserError("command line",
+                    "--realisation is given, but nothing is random",
+                    "a file with names in Random fields/Names");
+      if (!is_random)
+        return exit_code(
+          run<dim>(input.simulation, options, MPI_COMM_WORLD));
+      return exit_code(
+        run<dim>(realisation_parameters(input, *line.realisation),
+                 options,
+                 MPI_COMM_WORLD,
+                 realisation_setup<dim>(input, *line.realisation)));
+    }
+
+
+    template <int dim>
+    int
+    run_many(const CommandLine &line, const Scenarios &scenarios)
+    {
+      if (scenarios[0]->reliability.fields.fields.empty())
+        throw UserError("Random fields/Names",
+                        "is empty: all realisations would be the same",
+                        "at least one random field");
+      CampaignOptions options;
+      options.validate_only = line.validate_only;
+      options.resume        = line.resume;
+      options.overwrite     = line.overwrite;
+      options.chunk         = line.chunk;
+      options.n_chunks      = line.n_chunks;
+      options.first         = line.first;
+      options.last          = line.last;
+      options.interrupt     = &received_signal;
+      return exit_code(
+        run_campaign<dim>(scenarios, options, MPI_COMM_WORLD) ==
+            CampaignStatus::completed ?
+          RunStatus::completed :
+          RunStatus::interrupted);
+    }
+
+
+    int
+    compute(const CommandLine &line, const Scenarios &scenarios)
+    {
+      if (line.scenario >= scenarios.size())
+        throw UserError("command line",
+                        "--scenario is " + std::to_string(line.scenario),
+                        "0 to " + std::to_string(scenarios.size() - 1));
+      const Input &input = *scenarios[line.scenario];
+      const bool   plane = input.simulation.dimension == 2;
+      if (line.command == Command::campaign)
+        return plane ? run_many<2>(line, scenarios) :
+                       run_many<3>(line, scenarios);
+      return plane ? run_one<2>(line, input) : run_one<3>(line, input);
+    }
+
+
+    int
+    start_and_compute(const CommandLine &line, char **argv)
+    {
+      ParameterLocations locations;
+      const Scenarios    scenarios =
+        read_scenarios(line.file, line.overrides, &locations);
+
+      // MPI and PETSc would read options that are ours: only the name.
+      int    n_arguments = 1;
+      char  *name[]      = {argv[0], nullptr};
+      char **arguments   = name;
+      prepare_single_rank();
+      const Utilities::MPI::MPI_InitFinalize mpi(n_arguments, arguments, 1);
+      std::signal(SIGINT, note_signal);
+      std::signal(SIGTERM, note_signal);
+      try
+        {
+          return compute(line, scenarios);
+        }
+      catch (const UserError &error)
+        {
+          const UserError located = locations.located(error);
+          if (n_ranks() == 1)
+            throw located;
+          // The other ranks may wait for this one: end them all.
+          report(located);
+          MPI_Abort(MPI_COMM_WORLD, wrong_input);
+          throw;
+        }
+    }
+
+
+    /// Look at a campaign's folder: needs neither MPI nor a simulation.
+    int
+    read_campaign(const CommandLine &line)
+    {
+      const std::string parameters = join_path(line.file, "parameters.prm");
+      const std::string campaign   = join_path(line.file, "campaign.json");
+      if (!std::ifstream(campaign))
+        throw UserError(line.file,
+                        "holds no campaign: no campaign.json can be read",
+                        "the output folder of waker campaign");
+      const Scenarios scenarios = read_scenarios(parameters, line.overrides);
+      Log             log(std::cout, false);
+      if (line.command == Command::merge)
+        merge_campaign(line.file, *scenarios[0], line.all, log);
+      else
+        print_status(line.file, *scenarios[0], log);
+      return success;
     }
 
 
@@ -133,19 +243,11 @@ namespace Waker
             return success;
           case Command::run:
           case Command::strength_reduction:
-            {
-              ParameterLocations locations;
-              const auto         parameters =
-                read_parameters(line.file, line.overrides, &locations);
-              try
-                {
-                  return compute(line, *parameters, argv);
-                }
-              catch (const UserError &error)
-                {
-                  throw locations.located(error);
-                }
-            }
+          case Command::campaign:
+            return start_and_compute(line, argv);
+          case Command::status:
+          case Command::merge:
+            return read_campaign(line);
         }
       return internal_error;
     }
@@ -171,10 +273,7 @@ namespace Waker
       }
     catch (const UserError &error)
       {
-        // tidy() makes one line of each.
-        std::cerr << tidy(error.where) << '\n'
-                  << tidy(error.problem) << '\n'
-                  << "allowed: " << tidy(error.allowed) << std::endl;
+        report(error);
         return wrong_input;
       }
     catch (const NumericalFailure &error)

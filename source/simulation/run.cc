@@ -171,13 +171,14 @@ namespace Waker
 
   template <int dim>
   RunStatus
-  run(const Parameters &parameters,
-      const RunOptions &options,
-      const MPI_Comm    communicator)
+  run(const Parameters        &parameters,
+      const RunOptions        &options,
+      const MPI_Comm           communicator,
+      const InitialSetup<dim> &setup)
   {
     const std::string &directory = parameters.output.directory;
     check_output_folder(directory, folder_mode(options));
-    Log                              log(std::cout, Log::is_terminal());
+    Log log = options.quiet ? Log() : Log(std::cout, Log::is_terminal());
     std::unique_ptr<const Case<dim>> pointer;
     try
       {
@@ -199,15 +200,23 @@ namespace Waker
           }
         return RunStatus::numerical_failure;
       }
-    const Case<dim> &the_case = *pointer;
+    const Case<dim>         &the_case = *pointer;
+    State<dim>               state    = initial_state(the_case);
+    std::vector<std::string> setup_lines;
+    if (setup)
+      setup_lines = setup(the_case, state);
+    const auto describe = [&]() {
+      describe_case(the_case, log);
+      for (const std::string &line : setup_lines)
+        log.line(line);
+    };
     if (options.validate_only)
       {
-        describe_case(the_case, log);
+        describe();
         log.line("Valid. Nothing was written.");
         return RunStatus::completed;
       }
 
-    State<dim>                     state = initial_state(the_case);
     std::unique_ptr<Recorder<dim>> recorder;
     if (options.resume)
       recorder = std::make_unique<Recorder<dim>>(parameters, state);
@@ -216,7 +225,7 @@ namespace Waker
       recorder = std::make_unique<Recorder<dim>>(parameters);
 
     log.open_file(join_path(directory, "log.txt"), options.resume);
-    describe_case(the_case, log);
+    describe();
     if (options.resume)
       {
         if (!recorder->warning().empty())
@@ -229,7 +238,13 @@ namespace Waker
 
 
   template RunStatus
-  run<2>(const Parameters &, const RunOptions &, const MPI_Comm);
+  run<2>(const Parameters &,
+         const RunOptions &,
+         const MPI_Comm,
+         const InitialSetup<2> &);
   template RunStatus
-  run<3>(const Parameters &, const RunOptions &, const MPI_Comm);
+  run<3>(const Parameters &,
+         const RunOptions &,
+         const MPI_Comm,
+         const InitialSetup<3> &);
 } // namespace Waker

@@ -2,6 +2,8 @@
 #ifndef waker_program_command_line_h
 #define waker_program_command_line_h
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +13,9 @@ namespace Waker
   {
     run,
     strength_reduction,
+    campaign,
+    status,
+    merge,
     parameters,
     none // help or version: the text says it all
   };
@@ -19,11 +24,21 @@ namespace Waker
   struct CommandLine
   {
     Command                  command = Command::none;
-    std::string              file; // "-": standard input
+    std::string              file; // "-": standard input; or a folder
     std::vector<std::string> overrides;
     bool                     validate_only = false;
     bool                     resume        = false;
     bool                     overwrite     = false;
+    // Of `run`: which realisation of the random fields, which scenario.
+    std::optional<std::uint64_t> realisation;
+    std::uint64_t                scenario = 0;
+    // Of `campaign`: part `chunk` of n_chunks, realisations first <= i < last.
+    std::uint64_t chunk    = 1;
+    std::uint64_t n_chunks = 1;
+    std::uint64_t first    = 0;
+    std::uint64_t last     = -1;
+    bool          all      = false; // of `merge`: surplus realisations, too
+
     std::string              format        = "prm"; // of `parameters`
     std::string              text;                  // to print for `none`
   };

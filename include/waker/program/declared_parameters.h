@@ -14,7 +14,7 @@ namespace Waker
 {
   using namespace dealii;
 
-  struct Parameters;
+  struct Input;
 
   /// The names that the user gives to subsections.
   struct ParameterNames
@@ -22,6 +22,7 @@ namespace Waker
     std::vector<std::string> materials;  // Materials/Names
     std::vector<std::string> layers;     // Soil profile/Layers
     std::vector<std::string> conditions; // Boundary conditions/Names
+    std::vector<std::string> fields;     // Random fields/Names
   };
 
   /// A parameter as `prm` knows it.
@@ -40,13 +41,13 @@ namespace Waker
 
   /**
    * Declare every parameter, in the order in which a reader wants to see
-   * them; the lists of names get their values from `names`. `parameters` gets
-   * one material, layer and condition per name, and must not move or resize
+   * them; the lists of names get their values from `names`. `input` gets one
+   * material, layer, condition and field per name, and must not move or resize
    * them as long as `prm` sets values.
    */
   void
   declare_parameters(ParameterHandler     &prm,
-                     Parameters           &parameters,
+                     Input                &input,
                      const ParameterNames &names);
 
   /// What has been declared, in that order, with the values of now.

@@ -12,6 +12,7 @@
 
 namespace Waker
 {
+  struct Input;
   struct Parameters;
 
   /// Where each parameter of a case was set: turns the paths in the errors of
@@ -40,14 +41,21 @@ namespace Waker
   };
 
   /**
-   * Read and check a case.
+   * Read and check a file, and the scenarios that its sweep makes of it.
    *
    * @param source a .prm file, or "-" for standard input
    * @param overrides "Section/Name=value", stronger than the file
    * @param locations if not null, gets the line numbers, for errors that are
    *        found later
+   * @return one input per value of the sweep; one without a sweep
    * @throws UserError with file and line, or with "--set Section/Name"
    */
+  std::vector<std::unique_ptr<Input>>
+  read_scenarios(const std::string              &source,
+                 const std::vector<std::string> &overrides,
+                 ParameterLocations             *locations = nullptr);
+
+  /// What a file says about one simulation, without its sweep.
   std::unique_ptr<Parameters>
   read_parameters(const std::string              &source,
                   const std::vector<std::string> &overrides,

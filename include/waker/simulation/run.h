@@ -5,16 +5,32 @@
 #include <deal.II/base/mpi.h>
 
 #include <csignal>
+#include <functional>
+#include <string>
+#include <vector>
 
 namespace Waker
 {
   struct Parameters;
+  template <int dim>
+  struct Case;
+  template <int dim>
+  struct State;
+
+
+  /// Changes the state at t = 0: gives the points properties of their own.
+  /// Returns lines for the log.
+  template <int dim>
+  using InitialSetup =
+    std::function<std::vector<std::string>(const Case<dim> &, State<dim> &)>;
+
 
   struct RunOptions
   {
     bool validate_only = false; // check everything, write nothing
     bool resume        = false; // go on from the last checkpoint
     bool overwrite     = false; // of results of an earlier run
+    bool quiet         = false; // say nothing on the screen
     /// Not 0: end cleanly with a checkpoint. May be null.
     const volatile std::sig_atomic_t *interrupt = nullptr;
   };
@@ -29,13 +45,15 @@ namespace Waker
   /**
    * Run one realisation with full output to the folder Output/Directory.
    *
+   * @param setup of the first state; may be empty
    * @throws UserError before anything is written
    */
   template <int dim>
   RunStatus
-  run(const Parameters &parameters,
-      const RunOptions &options,
-      const MPI_Comm    communicator);
+  run(const Parameters        &parameters,
+      const RunOptions        &options,
+      const MPI_Comm           communicator,
+      const InitialSetup<dim> &setup = {});
 
   /**
    * Find the factor of safety by strength reduction: realisations with all

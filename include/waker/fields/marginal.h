@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_fields_marginal_h
+#define waker_fields_marginal_h
+
+#include <limits>
+#include <string>
+
+namespace Waker
+{
+  /**
+   * The distribution of a property at a place, as a monotone function of a
+   * standard normal z (translation field).
+   *   "normal"            mean + sd z, cut off (censored) at the limits
+   *   "lognormal"         with this mean and sd, then cut off likewise
+   *   "truncated normal"  normal(mean, sd) under the condition of the limits:
+   *                       mean and sd are those before the truncation
+   *   "beta"              on [minimum, maximum] with this mean and sd
+   */
+  class Marginal
+  {
+  public:
+    enum class Kind
+    {
+      normal,
+      lognormal,
+      truncated_normal,
+      beta
+    };
+
+    /// Of the name in a parameter file.
+    static Kind
+    kind(const std::string &name);
+
+    Marginal(const Kind   kind,
+             const double minimum = 0.,
+             const double maximum = std::numeric_limits<double>::infinity());
+
+    /// Is there such a distribution? Empty, or what is wrong with it.
+    std::string
+    problem(const double mean, const double standard_deviation) const;
+
+    /// The value whose probability of non-exceedance is Phi(z).
+    double
+    value(const double z,
+          const double mean,
+          const double standard_deviation) const;
+
+    /// z of a value strictly between the limits (of measurements).
+    double
+    normal_score(const double value,
+                 const double mean,
+                 const double standard_deviation) const;
+
+  private:
+    Kind   type;
+    double minimum;
+    double maximum;
+  };
+} // namespace Waker
+
+#endif

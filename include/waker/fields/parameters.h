@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_fields_parameters_h
+#define waker_fields_parameters_h
+
+#include <string>
+#include <vector>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace Waker
+{
+  using namespace dealii;
+
+  /// A property that varies randomly: subsection "Random fields/<name>".
+  struct RandomFieldParameters
+  {
+    std::string name; // of the subsection
+
+    std::string material; // a name of "Materials/Names"; empty: the only one
+    std::string property = "undrained shear strength"; // of the material
+    /// Expression of x, y, z (m); empty: the material's own value.
+    std::string mean;
+    double      coefficient_of_variation = 0.2; // of the mean at that place
+    double      standard_deviation       = 0.;  // > 0: instead of the former
+    /// What the spread belongs to: "cells" (averages) or "points".
+    std::string statistics   = "cells";
+    std::string distribution = "normal";
+    double      minimum      = 0.;
+    double      maximum      = 1e300;
+    std::string correlation  = "Markov";
+    /// Scales of fluctuation (m), horizontal first, then vertical; in 3D x, y,
+    /// z, where y is vertical.
+    std::vector<double> scales = {24., 0.5};
+    /// Size of the field's cells (m); empty: of the points' support domains.
+    std::vector<double> cell_size;
+    std::string         generator = "circulant embedding";
+    /// File with measured values, "x, y[, z], value" a line; empty: none.
+    std::string measurements;
+    double      measurement_error = 0.; // standard deviation, in normal scores
+
+    void
+    add_parameters(ParameterHandler &prm);
+
+    /// @throws UserError "Random fields/<name>/..."
+    void
+    check(const unsigned int dim) const;
+  };
+
+  /// Section "Random fields".
+  struct RandomFieldsParameters
+  {
+    std::vector<RandomFieldParameters> fields;
+    /// "a, b: 0.5; a, c: -0.2": of the normal scores of two fields at a place.
+    std::string correlations;
+
+    /// The entries of the section itself, without names and subsections.
+    void
+    add_parameters(ParameterHandler &prm);
+
+    /// @throws UserError "Random fields/..."
+    void
+    check(const unsigned int dim) const;
+
+    /// The correlations as a full matrix, row by row (n x n, n fields).
+    /// @throws UserError "Random fields/Correlations"
+    std::vector<double>
+    correlation_matrix() const;
+  };
+} // namespace Waker
+
+#endif

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_reliability_campaign_folder_h
+#define waker_reliability_campaign_folder_h
+
+#include <waker/reliability/campaign.h>
+
+#include <string>
+
+namespace Waker
+{
+  class Log;
+
+  /// Would prepare_campaign_folder() work? Writes nothing.
+  /// @throws UserError "Output/Directory"
+  void
+  check_campaign_folder(const std::string     &folder,
+                        const CampaignInfo    &info,
+                        const CampaignOptions &options);
+
+  /**
+   * Make the folder, or join the campaign in it (resume, parts): its hash must
+   * be that of `info`. Writes campaign.json and parameters.prm, with the larger
+   * number of realisations if there are two. `overwrite` removes the files of
+   * an earlier campaign, by their names, and nothing else.
+   */
+  void
+  prepare_campaign_folder(const std::string     &folder,
+                          const CampaignInfo    &info,
+                          const CampaignOptions &options);
+
+  /**
+   * Merge the journals of a folder: results.h5 and report/. Realisations
+   * beyond the number at which a stop rule ended their scenario are left out
+   * unless `all`.
+   *
+   * @param input the first scenario of the campaign's parameters
+   * @throws UserError if there is nothing to merge or it cannot be written
+   */
+  void
+  merge_campaign(const std::string &folder,
+                 const Input       &input,
+                 const bool         all,
+                 Log               &log);
+
+  /// How far a campaign is, for the user; may be called while it runs.
+  void
+  print_status(const std::string &folder, const Input &input, Log &log);
+} // namespace Waker
+
+#endif

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_reliability_estimates_h
+#define waker_reliability_estimates_h
+
+#include <waker/reliability/intervals.h>
+#include <waker/reliability/record.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace Waker
+{
+  /**
+   * The three probabilities of chapter 5 of Remmerswaal (2023).
+   *
+   * The interval of P(F|S1) is that of a count of floods among the initial
+   * failures that there happen to be: right whatever P(S1) is, as every flood
+   * is an initial failure.
+   */
+  struct Estimate
+  {
+    Proportion initial;        // P(S1), (5.1)
+    Proportion flooding;       // P(F), (5.2)
+    Proportion flooding_given; // P(F|S1), (5.5); n is the count of S1
+  };
+
+  /**
+   * All probabilities of one scenario.
+   *
+   * Realisations that failed numerically are in no denominator. As blowing up
+   * may well go with failing, `if_all_failed` and `if_none_failed` are the
+   * probabilities if each of them had (or had not) failed and flooded.
+   */
+  struct ScenarioEstimate
+  {
+    std::uint64_t n           = 0; // realisations that count
+    std::uint64_t n_numerical = 0; // numerical failures: not in n
+    /// Default reading of S1 (width or height has changed) ...
+    Estimate by_geometry;
+    /// ... and the thesis's, W < W_i.
+    Estimate by_width;
+    Estimate if_all_failed;
+    Estimate if_none_failed;
+  };
+
+  /// One row of a table against time or number of realisations.
+  struct EstimateRow
+  {
+    double   position; // s, or number of realisations
+    Estimate estimate;
+  };
+
+  /// Whether the outcome is known.
+  inline bool
+  counts(const Record &record)
+  {
+    return record.outcome != Outcome::numerical_failure;
+  }
+
+  /// @param records of one scenario, each realisation once; may be empty
+  ScenarioEstimate
+  estimate(const std::vector<Record> &records);
+
+  /**
+   * P(S1, t_S1 <= t), P(F, t_F <= t) and their ratio (5.1), (5.2): at 0, at
+   * each moment at which an event occurred, and at the end of the longest
+   * realisation; if these are more than `n_rows`, at `n_rows` equidistant
+   * moments. A realisation that was stopped earlier counts as unchanged.
+   */
+  std::vector<EstimateRow>
+  estimate_against_time(const std::vector<Record> &records,
+                        const unsigned int         n_rows = 400);
+
+  /**
+   * The estimates from the first n realisations that count, in the order of
+   * their numbers, for about `n_rows` values of n in geometric progression:
+   * 1, 2, ... , all.
+   */
+  std::vector<EstimateRow>
+  estimate_convergence(const std::vector<Record> &records,
+                       const unsigned int         n_rows = 200);
+} // namespace Waker
+
+#endif

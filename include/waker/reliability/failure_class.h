@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_reliability_failure_class_h
+#define waker_reliability_failure_class_h
+
+#include <waker/reliability/slides.h>
+
+#include <string>
+
+namespace Waker
+{
+  /// How a dyke failed (fig. 5.2 of Remmerswaal 2023); whether it flooded is
+  /// in the record.
+  enum class FailureClass
+  {
+    none,
+    initial_only,
+    retrogressive,
+    horizontal,
+    outer
+  };
+
+  /// Number of classes.
+  constexpr unsigned int n_failure_classes = 5;
+
+  /// "none", "initial only", ...
+  std::string
+  to_string(const FailureClass failure_class);
+
+  /// What the classes are told apart by.
+  namespace FailureClassLimits
+  {
+    /// Fall / travel (-) of the moved soil in a horizontal slide, at most. A
+    /// slide down a slope of 1:3 has 0.33, a slip circle more; a body pushed
+    /// along a horizontal layer sinks only as much as it spreads.
+    constexpr double fall = 0.2;
+    /// Share (-) of W that is left of a horizontal slide when H has lost half
+    /// of what it loses. Retrogressive slides eat up the width first and take
+    /// the height with the last of it; a body that moves as a whole keeps its
+    /// width.
+    constexpr double kept_width = 0.7;
+    /// Moved soil in a horizontal slide, as share (-) of W_i H_i, at least:
+    /// the block that carries the width, not only the slope beside it.
+    constexpr double moved_area = 1.;
+  } // namespace FailureClassLimits
+
+  /**
+   * The class of a realisation; the first that fits:
+   *
+   * 1. none: no initial failure.
+   * 2. outer (fig. 5.2e): one second after initial failure more soil has moved
+   *    outwards than inwards (by area). If none has moved by 0.5 m yet, the
+   *    end decides; if none has then either, a width that has grown means
+   *    outwards.
+   * 3. horizontal (fig. 5.2d, 5.5f): the body is translated inwards. By the
+   *    end the moved soil has an area of W_i H_i at least (H from y = 0, the
+   *    dyke's base), has travelled much further than it fell, and the last
+   *    slide has left the width as it was while the height was lost
+   *    (FailureClassLimits). It may have begun with a rotational slide.
+   * 4. retrogressive (fig. 5.2c): two slides or more.
+   * 5. initial only (fig. 5.2a, b): one slide. With flooding this is the deep
+   *    slide that floods directly.
+   *
+   * A realisation that failed numerically is judged by what it did until then.
+   *
+   * @param slides find_slides() of the same record
+   */
+  FailureClass
+  classify(const Record &record, const std::vector<Slide> &slides);
+} // namespace Waker
+
+#endif

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_reliability_fragility_h
+#define waker_reliability_fragility_h
+
+#include <waker/reliability/campaign_info.h>
+#include <waker/reliability/intervals.h>
+#include <waker/reliability/record.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace Waker
+{
+  /// The estimates at one swept water level.
+  struct FragilityPoint
+  {
+    double     water_level; // h, m
+    double     freeboard;   // crest of the drawn profile - h, m
+    Proportion initial;     // P(S1|h)
+    Proportion flooding;    // P(F|h)
+  };
+
+  /// By rising water level; scenarios without a realisation are left out.
+  /// Empty if two scenarios have the same level: then something else is swept.
+  std::vector<FragilityPoint>
+  fragility_points(const CampaignInfo                     &info,
+                   const std::vector<std::vector<Record>> &records_by_scenario);
+
+  /// The rising sequence that is nearest to `values` by weighted least
+  /// squares (pool adjacent violators). Keeps the order of two sequences with
+  /// the same weights: bounds stay bounds.
+  std::vector<double>
+  make_rising(const std::vector<double> &values,
+              const std::vector<double> &weights);
+
+  /**
+   * A value against water level: through its points, between two neighbours
+   * never beyond their values (piecewise cubic, slopes of Fritsch & Butland
+   * 1984), constant below the first and above the last level.
+   */
+  class FragilityCurve
+  {
+  public:
+    /// @param levels (m) at least one, strictly rising
+    FragilityCurve(const std::vector<double> &levels,
+                   const std::vector<double> &values);
+
+    double
+    operator()(const double level) const;
+
+    /// Derivative (1/m); 0 outside the levels.
+    double
+    slope(const double level) const;
+
+    std::vector<double> levels;
+    std::vector<double> values;
+
+  private:
+    std::vector<double> slopes;
+  };
+
+  /// A probability with bounds.
+  struct BoundedProbability
+  {
+    double estimate;
+    double low;
+    double high;
+  };
+
+  /// Estimate and bounds. Bounds are those of all levels at once.
+  struct BoundedCurve
+  {
+    FragilityCurve estimate;
+    FragilityCurve low;
+    FragilityCurve high;
+
+    /// Bounds are moved where interpolation, which is not linear, would make
+    /// them cross the estimate.
+    BoundedProbability
+    at(const double level) const;
+  };
+
+  /// P(S1|h): as estimated, since it may fall and rise again with h (the outer
+  /// slope fails at low water). @param points at least one
+  BoundedCurve
+  initial_failure_curve(const std::vector<FragilityPoint> &points);
+
+  /// P(F|h): rises with h, and is made to where chance says otherwise.
+  BoundedCurve
+  flooding_curve(const std::vector<FragilityPoint> &points);
+
+
+  /// Of the yearly maximum of the water level.
+  class LevelDistribution
+  {
+  public:
+    /// P(maximum > h) = 1 - exp(-exp(-(h - location) / scale)), both in m.
+    static LevelDistribution
+    gumbel(const double location, const double scale);
+
+    /**
+     * Levels (m, rising) and the probabilities per year that they are
+     * exceeded (falling, above 0, at most 1); linear in the logarithm between
+     * and beyond them (but never above 1).
+     */
+    static LevelDistribution
+    table(const std::vector<double> &levels,
+          const std::vector<double> &exceedance);
+
+    /// A table as text: lines "level,probability"; titles in the first line
+    /// and lines that begin with # are skipped.
+    /// @throws UserError `name`:line
+    static LevelDistribution
+    parse_table(const std::string &text, const std::string &name);
+
+    double
+    exceedance(const double level) const;
+
+    /// Levels of the table; empty for Gumbel's.
+    const std::vector<double> &
+    table_levels() const
+    {
+      return levels;
+    }
+
+  private:
+    double              location = 0.;
+    double              scale    = 1.;
+    std::vector<double> levels;
+    std::vector<double> logarithms;
+  };
+
+
+  /**
+   * P = int P(.|h) f(h) dh (4.13), per year.
+   *
+   * Integrated by parts, P(h_1) + int P'(h) P(maximum > h) dh over the swept
+   * levels: outside them the curve is constant. The bounds put all levels at
+   * their bounds at once: the right thing with common random numbers, too wide
+   * otherwise.
+   */
+  BoundedProbability
+  yearly_probability(const BoundedCurve      &curve,
+                     const LevelDistribution &distribution);
+} // namespace Waker
+
+#endif

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_reliability_journal_h
+#define waker_reliability_journal_h
+
+#include <waker/reliability/record.h>
+
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Waker
+{
+  /// Of the lines of a journal; a test keeps the earlier ones readable.
+  constexpr unsigned int journal_schema_version = 1;
+
+  /**
+   * A file journal-NNNNN.jsonl of its own in the folder of a campaign: a line
+   * that says whose it is, then one line per finished realisation. A line is
+   * with the operating system when append() returns: kill -9 of this process
+   * does not lose it. The folder may be shared by any number of writers, on
+   * any number of machines.
+   */
+  class JournalWriter
+  {
+  public:
+    /**
+     * Creates the file.
+     *
+     * @param folder        of the campaign, exists
+     * @param campaign_hash CampaignInfo::hash
+     * @param sync_interval seconds after which append() waits until all is on
+     *        the disk (fsync), against power cuts; < 0: never
+     * @throws UserError with the folder if no file can be made there
+     */
+    JournalWriter(const std::string &folder,
+                  const std::string &campaign_hash,
+                  const double       sync_interval = 10.);
+    ~JournalWriter();
+
+    JournalWriter(const JournalWriter &) = delete;
+    JournalWriter &
+    operator=(const JournalWriter &) = delete;
+
+    /**
+     * Write the line of a record.
+     *
+     * @throws UserError with the path if the disk is full, a quota reached or
+     *         the device gone. The file ends with the last whole line then,
+     *         so that another attempt may follow.
+     */
+    void
+    append(const Record &record);
+
+    const std::string &
+    path() const;
+
+  private:
+    void
+    write_line(std::string line);
+
+    std::string   name;
+    int           descriptor = -1;
+    std::uint64_t length     = 0; // of whole lines, bytes
+
+    double                                sync_interval;
+    std::chrono::steady_clock::time_point last_sync;
+  };
+
+
+
+  /// What was in the journals of a folder and is not among the records.
+  struct JournalCounts
+  {
+    std::uint64_t n_journals  = 0; // of this campaign
+    std::uint64_t n_records   = 0; // kept
+    std::uint64_t n_truncated = 0; // last lines without an end
+    std::uint64_t n_damaged   = 0; // whole lines that cannot be read
+    std::uint64_t n_foreign   = 0; // lines in journals of other campaigns
+    /// Of a realisation that had been read before, with the same result.
+    std::uint64_t n_repeated = 0;
+    /// The same, with another result: the first one in order of file is kept.
+    std::uint64_t n_conflicting = 0;
+
+    /// A sentence with file and line for each of these, but the repeated.
+    std::vector<std::string> remarks;
+  };
+
+
+
+  /**
+   * Reads the journals of a campaign while others still write them: each
+   * poll() returns what has been added since the last one. A line without an
+   * end is left for the next poll.
+   */
+  class JournalReader
+  {
+  public:
+    JournalReader(const std::string &folder, const std::string &campaign_hash);
+
+    /**
+     * The new records, in order of file and line, each realisation of a
+     * scenario once only.
+     *
+     * @throws UserError with the path if a file or the folder cannot be read,
+     *         or is of a newer version of the program
+     */
+    std::vector<Record>
+    poll();
+
+    /// Up to the last poll. Lines without an end: those that are so now.
+    JournalCounts
+    counts() const;
+
+  private:
+    struct Journal
+    {
+      std::uint64_t position = 0;     // behind the last whole line, bytes
+      std::uint64_t size     = 0;     // when last looked at, bytes
+      std::uint64_t n_lines  = 0;     // read
+      bool          is_ours  = false; // known after the first line
+    };
+
+    void
+    read_new_lines(const std::string   &name,
+                   Journal             &journal,
+                   std::vector<Record> &records);
+
+    void
+    read_header(const std::string &name,
+                const std::string &line,
+                Journal           &journal);
+
+    void
+    read_record(const std::string   &place,
+                const std::string   &line,
+                std::vector<Record> &records);
+
+    std::string                    folder;
+    std::string                    campaign_hash;
+    std::map<std::string, Journal> journals;
+    JournalCounts                  counted;
+
+    /// Of (scenario, realisation): the fingerprint of the record kept.
+    std::map<std::pair<unsigned int, std::uint64_t>, std::uint64_t> known;
+  };
+
+
+
+  struct JournalContents
+  {
+    std::vector<Record> records; // in order of scenario and realisation
+    JournalCounts       counts;
+  };
+
+  /// All journals of a folder, as JournalReader.
+  JournalContents
+  read_journals(const std::string &folder, const std::string &campaign_hash);
+} // namespace Waker
+
+#endif

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_reliability_realisation_runner_h
+#define waker_reliability_realisation_runner_h
+
+#include <waker/reliability/random_properties.h>
+#include <waker/reliability/record.h>
+#include <waker/simulation/realisation.h>
+
+#include <csignal>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace Waker
+{
+  /**
+   * A realisation as a function: white noise -> numbers. What a Monte Carlo
+   * campaign, a subset simulation or a program of one's own calls.
+   */
+  template <int dim>
+  class RealisationRunner
+  {
+  public:
+    /**
+     * @param attempts a realisation that fails numerically is begun again with
+     *        half the time step, up to so many times in all
+     * @param communicator of the ranks that share one realisation; one for now
+     * @throws UserError, NumericalFailure (of the gravity step)
+     */
+    RealisationRunner(const Parameters             &parameters,
+                      const RandomFieldsParameters &fields,
+                      const unsigned int            attempts,
+                      const MPI_Comm                communicator);
+
+    const Case<dim> &
+    first_case() const
+    {
+      return *cases[0];
+    }
+
+    const RandomProperties<dim> &
+    properties() const
+    {
+      return random_properties;
+    }
+
+    /// Standard normal numbers that a realisation needs.
+    std::size_t
+    n_noise() const
+    {
+      return random_properties.n_noise();
+    }
+
+    /// The state at t = 0 of the realisation of this noise.
+    State<dim>
+    initial(const double *noise) const;
+
+    /**
+     * Run it to its end. `scenario` and `realisation` of the record are the
+     * caller's.
+     *
+     * @param interrupt not 0: stop; may be null
+     * @return nothing if interrupted
+     */
+    std::optional<Record>
+    run(const double *noise, const volatile std::sig_atomic_t *interrupt);
+
+    /// run() for realisation i of a campaign: the noise is that of the key
+    /// (seed, i, stream 0).
+    std::optional<Record>
+    run(const std::uint64_t                seed,
+        const std::uint64_t                realisation,
+        const volatile std::sig_atomic_t *interrupt);
+
+  private:
+    /// The case with the time step halved `attempt` times.
+    const Case<dim> &
+    case_of_attempt(const unsigned int attempt);
+
+    /// @return false if interrupted
+    bool
+    run_to_end(const Case<dim>                  &the_case,
+               const volatile std::sig_atomic_t *interrupt,
+               State<dim>                       &state,
+               Record                           &record) const;
+
+    Parameters                                    parameters;
+    unsigned int                                  attempts;
+    MPI_Comm                                      communicator;
+    std::vector<std::unique_ptr<const Case<dim>>> cases;
+    RandomProperties<dim>                         random_properties;
+    std::vector<double>                           noise_buffer;
+  };
+
+
+  /// The moments of the soil that moved horizontally by more than 0.5 m.
+  /// @param inward true: towards positive x
+  template <int dim>
+  MovedSoil
+  moved_soil(const MaterialPoints<dim> &points, const bool positive);
+} // namespace Waker
+
+#endif

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/errors.h>
+#include <waker/fields/measurements.h>
+
+#include <boost/algorithm/string.hpp>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace Waker
+{
+  namespace
+  {
+    /// @return whether the whole text is one finite number
+    bool
+    read_number(const std::string &text, double &number)
+    {
+      std::istringstream in(text);
+      in.imbue(std::locale::classic());
+      std::string rest;
+      return in >> number && !(in >> rest) && std::isfinite(number);
+    }
+
+
+
+    const char *
+    columns(const unsigned int dim)
+    {
+      return dim == 1   ? "x, value"
+             : dim == 2 ? "x, y, value"
+                        : "x, y, z, value";
+    }
+
+
+
+    /// @throws UserError the place is outside the lattice
+    void
+    check_inside(const Measurement  &measurement,
+                 const FieldLattice &lattice,
+                 const std::string  &where)
+    {
+      const char *names = "xyz";
+      for (unsigned int d = 0; d < lattice.dim; ++d)
+        {
+          const double x     = measurement.position[d];
+          const double lower = lattice.origin[d];
+          const double upper =
+            lower + lattice.n_cells[d] * lattice.cell_size[d];
+          const double rounding = 1e-9 * lattice.cell_size[d];
+          if (x < lower - rounding || x > upper + rounding)
+            {
+              std::ostringstream problem, allowed;
+              problem << names[d] << " = " << x
+                      << " m is outside the random field";
+              allowed << lower << " to " << upper << " m";
+              throw UserError(where, problem.str(), allowed.str());
+            }
+        }
+    }
+  } // namespace
+
+
+
+  std::vector<Measurement>
+  read_measurements(const std::string &file, const FieldLattice &lattice)
+  {
+    std::ifstream in(file);
+    if (!in)
+      throw UserError(file,
+                      "the measurements cannot be read",
+                      "a file with \"" + std::string(columns(lattice.dim)) +
+                        "\" in each line");
+
+    std::vector<Measurement> measurements;
+    bool                     header_possible = true;
+    unsigned int             number          = 0;
+    for (std::string line; std::getline(in, line);)
+      {
+        ++number;
+        if (number == 1 && line.compare(0, 3, "\xef\xbb\xbf") == 0)
+          line.erase(0, 3); // byte order mark of spreadsheets
+        line = boost::trim_copy(line.substr(0, line.find('#')));
+        if (line.empty())
+          continue;
+
+        std::vector<std::string> texts;
+        boost::split(texts, line, boost::is_any_of(","));
+        std::vector<double> numbers(texts.size());
+        unsigned int        n_numbers = 0;
+        for (std::size_t i = 0; i < texts.size(); ++i)
+          n_numbers += read_number(texts[i], numbers[i]);
+        if (header_possible && n_numbers == 0 &&
+            std::string("0123456789.+-").find(line[0]) == std::string::npos)
+          {
+            header_possible = false;
+            continue;
+          }
+        header_possible = false;
+
+        const std::string where = file + ":" + std::to_string(number);
+        if (n_numbers != lattice.dim + 1 || n_numbers != texts.size())
+          throw UserError(where,
+                          "\"" + line + "\"",
+                          std::to_string(lattice.dim + 1) +
+                            " numbers: " + columns(lattice.dim) +
+                            " (m, unit of the property)");
+
+        Measurement measurement;
+        std::copy_n(numbers.begin(), lattice.dim, measurement.position.begin());
+        measurement.value = numbers.back();
+        measurement.line  = number;
+        check_inside(measurement, lattice, where);
+        measurement.cell = lattice.cell_of(measurement.position);
+        measurements.push_back(measurement);
+      }
+    if (measurements.empty())
+      throw UserError(file, "no measurements in it", "at least one");
+    return measurements;
+  }
+} // namespace Waker

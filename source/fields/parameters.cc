@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/parameter_handler.h>
+
+#include <waker/base/errors.h>
+#include <waker/fields/marginal.h>
+#include <waker/fields/parameters.h>
+
+#include <cstdlib>
+
+namespace Waker
+{
+  void
+  RandomFieldParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Material",
+                      material,
+                      "Name of the material whose points get the field. Empty: "
+                      "the only material there is.",
+                      Patterns::Anything());
+    prm.add_parameter("Property",
+                      property,
+                      "The property that varies. A field of the undrained shear "
+                      "strength takes the residual strength with it, in the "
+                      "ratio that the material has (fully correlated), unless "
+                      "that has a field of its own.",
+                      Patterns::Selection(
+                        "undrained shear strength|residual strength"));
+    prm.add_parameter("Mean",
+                      mean,
+                      "Mean (kPa): a number, or an expression of x, y, z (m), "
+                      "for example \"5 + 1.5*(5 - y)\". Empty: the material's "
+                      "own value.",
+                      Patterns::Anything());
+    prm.add_parameter("Coefficient of variation",
+                      coefficient_of_variation,
+                      "Standard deviation divided by the mean of the place (-), "
+                      "0 or more.",
+                      Patterns::Double(0.));
+    prm.add_parameter("Standard deviation",
+                      standard_deviation,
+                      "Above 0: standard deviation (kPa), the same everywhere, "
+                      "instead of the coefficient of variation.",
+                      Patterns::Double(0.));
+    prm.add_parameter("Statistics of",
+                      statistics,
+                      "What the standard deviation belongs to: the cells, which "
+                      "are averages, or the points of the field. Averaging "
+                      "reduces that of the points (0.20 becomes 0.185 for the "
+                      "dyke of chapter 5).",
+                      Patterns::Selection("cells|points"));
+    prm.add_parameter("Distribution",
+                      distribution,
+                      "\"normal\" and \"lognormal\" are cut off at the limits, "
+                      "\"truncated normal\" is conditional on them, \"beta\" "
+                      "lies between them.",
+                      Patterns::Selection(
+                        "normal|lognormal|truncated normal|beta"));
+    prm.add_parameter("Minimum",
+                      minimum,
+                      "Least value (kPa), 0 or more.",
+                      Patterns::Double(0.));
+    prm.add_parameter("Maximum",
+                      maximum,
+                      "Largest value (kPa).",
+                      Patterns::Double(0.));
+    prm.add_parameter("Correlation function",
+                      correlation,
+                      "\"Markov\": exp(-2 r), r from lags divided by scales "
+                      "(ellipsoidal); \"separable Markov\": a product of one per "
+                      "direction; \"Gaussian\": exp(-pi r^2).",
+                      Patterns::Selection("Markov|separable Markov|Gaussian"));
+    prm.add_parameter("Scales of fluctuation",
+                      scales,
+                      "Horizontal and vertical scale (m), above 0; in 3D those "
+                      "along x, y (vertical) and z.",
+                      Patterns::List(Patterns::Double(0.), 1, 3));
+    prm.add_parameter("Cell size",
+                      cell_size,
+                      "Size of the field's cells (m), one number per direction. "
+                      "Empty: that of the points' support domains, one cell per "
+                      "point.",
+                      Patterns::List(Patterns::Double(0.), 0, 3));
+    prm.add_parameter("Generator",
+                      generator,
+                      "\"circulant embedding\": exact, fast. \"local average "
+                      "subdivision\": as in the thesis, with a pattern in the "
+                      "variance. \"Cholesky\": exact, for small fields.",
+                      Patterns::Selection("circulant embedding|local average "
+                                          "subdivision|Cholesky"));
+    prm.add_parameter("Measurements",
+                      measurements,
+                      "File of measured values, one \"x, y, value\" (3D: \"x, y, "
+                      "z, value\"; m, kPa) a line: every realisation has them "
+                      "there. Empty: none.",
+                      Patterns::Anything());
+    prm.add_parameter("Measurement error",
+                      measurement_error,
+                      "Standard deviation of the measurements, as a share of "
+                      "that of the field (-), 0 or more.",
+                      Patterns::Double(0.));
+  }
+
+
+  void
+  RandomFieldParameters::check(const unsigned int dim) const
+  {
+    const std::string path = "Random fields/" + name;
+    const auto        text = [](const double value) {
+      return Patterns::Tools::to_string(value);
+    };
+    if (scales.size() != dim)
+      throw UserError(path + "/Scales of fluctuation",
+                      "has " + std::to_string(scales.size()) + " numbers",
+                      std::to_string(dim) + " numbers above 0");
+    for (const double scale : scales)
+      if (!(scale > 0.))
+        throw UserError(path + "/Scales of fluctuation",
+                        "contains " + text(scale),
+                        "numbers above 0");
+    if (!cell_size.empty() && cell_size.size() != dim)
+      throw UserError(path + "/Cell size",
+                      "has " + std::to_string(cell_size.size()) + " numbers",
+                      "nothing, or " + std::to_string(dim) +
+                        " numbers above 0");
+    for (const double size : cell_size)
+      if (!(size > 0.))
+        throw UserError(path + "/Cell size",
+                        "contains " + text(size),
+                        "numbers above 0");
+    if (!(maximum > minimum))
+      throw UserError(path + "/Maximum",
+                      "is " + text(maximum),
+                      "a number above Minimum, " + text(minimum));
+    if (distribution == "beta" && !(maximum < 1e299))
+      throw UserError(path + "/Maximum",
+                      "is not given",
+                      "a number above Minimum: a beta distribution lies "
+                      "between the two");
+  }
+
+
+  void
+  RandomFieldsParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Correlations",
+                      correlations,
+                      "Correlation of the normal scores of two fields at the "
+                      "same place, \"a, b: 0.5; a, c: -0.2\", -1 to 1; those not "
+                      "named are independent. Correlated fields must have the "
+                      "same correlation function, scales, cells, generator and "
+                      "statistics.",
+                      Patterns::Anything());
+  }
+
+
+  namespace
+  {
+    std::string
+    trimmed(const std::string &text)
+    {
+      const auto begin = text.find_first_not_of(" \t");
+      const auto end   = text.find_last_not_of(" \t");
+      return begin == std::string::npos ? "" :
+                                          text.substr(begin, end - begin + 1);
+    }
+  } // namespace
+
+
+  std::vector<double>
+  RandomFieldsParameters::correlation_matrix() const
+  {
+    const std::size_t   n = fields.size();
+    std::vector<double> matrix(n * n, 0.);
+    for (std::size_t i = 0; i < n; ++i)
+      matrix[i * n + i] = 1.;
+
+    const auto refuse = [](const std::string &problem) {
+      throw UserError("Random fields/Correlations",
+                      problem,
+                      "\"a, b: 0.5; ...\" with two names of fields and a number "
+                      "from -1 to 1, each pair once");
+    };
+    const auto number = [&](const std::string &field) {
+      for (std::size_t i = 0; i < n; ++i)
+        if (fields[i].name == field)
+          return i;
+      refuse("names \"" + field + "\", which is no field");
+      return n;
+    };
+
+    std::size_t begin = 0;
+    while (begin < correlations.size())
+      {
+        const std::size_t end =
+          std::min(correlations.find(';', begin), correlations.size());
+        const std::string item = trimmed(correlations.substr(begin, end - begin));
+        begin                  = end + 1;
+        if (item.empty())
+          continue;
+        const std::size_t comma = item.find(','), colon = item.rfind(':');
+        if (comma == std::string::npos || colon == std::string::npos ||
+            comma > colon)
+          refuse("contains \"" + item + "\"");
+        const std::size_t a = number(trimmed(item.substr(0, comma)));
+        const std::size_t b =
+          number(trimmed(item.substr(comma + 1, colon - comma - 1)));
+        const std::string value = trimmed(item.substr(colon + 1));
+        char             *rest  = nullptr;
+        const double      rho   = std::strtod(value.c_str(), &rest);
+        if (value.empty() || *rest != 0 || !(rho >= -1. && rho <= 1.))
+          refuse("contains \"" + item + "\"");
+        if (a == b || matrix[a * n + b] != 0.)
+          refuse("gives the pair \"" + item + "\" twice, or a field with itself");
+        matrix[a * n + b] = matrix[b * n + a] = rho;
+      }
+    return matrix;
+  }
+
+
+  void
+  RandomFieldsParameters::check(const unsigned int dim) const
+  {
+    for (const RandomFieldParameters &field : fields)
+      field.check(dim);
+
+    const std::size_t         n      = fields.size();
+    const std::vector<double> matrix = correlation_matrix();
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        {
+          const RandomFieldParameters &a = fields[j], &b = fields[i];
+          const bool same_target =
+            a.material == b.material && a.property == b.property;
+          if (same_target)
+            throw UserError("Random fields/" + b.name + "/Property",
+                            "is \"" + b.property +
+                              "\", of which the material has a field already, "
+                              "\"" +
+                              a.name + "\"",
+                            "one field per property and material");
+          if (matrix[i * n + j] == 0.)
+            continue;
+          if (a.correlation != b.correlation || a.scales != b.scales ||
+              a.cell_size != b.cell_size || a.generator != b.generator ||
+              a.statistics != b.statistics)
+            throw UserError("Random fields/Correlations",
+                            "correlates \"" + a.name + "\" and \"" + b.name +
+                              "\", which are made in different ways",
+                            "the same correlation function, scales, cell size, "
+                            "generator and statistics for both");
+          if (!b.measurements.empty())
+            throw UserError("Random fields/" + b.name + "/Measurements",
+                            "of a field that is correlated with one before it",
+                            "measurements of the first of correlated fields");
+        }
+  }
+} // namespace Waker

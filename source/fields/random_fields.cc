@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/errors.h>
+#include <waker/fields/conditioning.h>
+#include <waker/fields/measurements.h>
+#include <waker/fields/random_fields.h>
+
+#include <cmath>
+
+namespace Waker
+{
+  namespace
+  {
+    /// Lower triangular L with L L^T = matrix (n x n, row by row), which may be
+    /// singular: fields may be fully correlated.
+    std::vector<double>
+    mixing_matrix(const std::vector<double> &matrix, const std::size_t n)
+    {
+      constexpr double    round_off = 1e-12;
+      std::vector<double> L(n * n, 0.);
+      for (std::size_t j = 0; j < n; ++j)
+        for (std::size_t i = j; i < n; ++i)
+          {
+            double rest = matrix[i * n + j];
+            for (std::size_t k = 0; k < j; ++k)
+              rest -= L[i * n + k] * L[j * n + k];
+            const bool impossible =
+              i == j ? rest < -round_off :
+                       L[j * n + j] == 0. && std::abs(rest) > round_off;
+            if (impossible)
+              throw UserError("Random fields/Correlations",
+                              "are not those of any set of numbers",
+                              "a positive semidefinite correlation matrix");
+            if (i == j)
+              L[i * n + i] = rest > round_off ? std::sqrt(rest) : 0.;
+            else
+              L[i * n + j] = L[j * n + j] > 0. ? rest / L[j * n + j] : 0.;
+          }
+      return L;
+    }
+  } // namespace
+
+
+  RandomFields::RandomFields(const RandomFieldsParameters    &parameters,
+                             const std::vector<FieldLattice> &lattices,
+                             const Score                     &score)
+  {
+    const std::size_t n = parameters.fields.size();
+    for (std::size_t f = 0; f < n; ++f)
+      {
+        const RandomFieldParameters &p    = parameters.fields[f];
+        const std::string            path = "Random fields/" + p.name;
+        const Correlation correlation(Correlation::function(p.correlation),
+                                      p.scales);
+        Field             field;
+        field.name    = p.name;
+        field.lattice = lattices[f];
+        field.gamma   = correlation.between_cells(lattices[f].cell_size, {});
+        field.scale   = p.statistics == "cells" ? 1. / std::sqrt(field.gamma) : 1.;
+        field.generator =
+          make_field_generator(p.generator, lattices[f], correlation, path);
+        total_noise += field.generator->n_noise();
+
+        if (!p.measurements.empty())
+          {
+            std::vector<MeasuredScore> measured;
+            for (const Measurement &m :
+                 read_measurements(p.measurements, lattices[f]))
+              measured.push_back({m.cell, score(f, m.position, m.value)});
+            const double variance =
+              field.gamma * field.scale * field.scale; // of the cells' scores
+            field.conditioning = std::make_unique<Conditioning>(
+              lattices[f],
+              correlation,
+              measured,
+              variance,
+              p.measurement_error * p.measurement_error * variance,
+              path);
+            total_noise += field.conditioning->n_noise();
+          }
+        fields.push_back(std::move(field));
+      }
+
+    mixing = mixing_matrix(parameters.correlation_matrix(), n);
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        mixed = mixed || mixing[i * n + j] != 0.;
+  }
+
+
+  RandomFields::~RandomFields() = default;
+
+
+  std::vector<std::string>
+  RandomFields::description() const
+  {
+    std::vector<std::string> lines;
+    for (const Field &field : fields)
+      lines.push_back("Random field \"" + field.name +
+                      "\": " + field.generator->description() +
+                      (field.conditioning ?
+                         ", " + field.conditioning->description() :
+                         ""));
+    return lines;
+  }
+
+
+  void
+  RandomFields::generate(const double                     *noise,
+                         std::vector<std::vector<double>> &scores) const
+  {
+    const std::size_t n = fields.size();
+    scores.resize(n);
+    for (std::size_t f = 0; f < n; ++f)
+      {
+        const Field &field = fields[f];
+        scores[f].resize(field.lattice.n());
+        field.generator->generate(noise, scores[f].data());
+        noise += field.generator->n_noise();
+        if (field.scale != 1.)
+          for (double &value : scores[f])
+            value *= field.scale;
+        if (field.conditioning)
+          {
+            field.conditioning->apply(noise, scores[f].data());
+            noise += field.conditioning->n_noise();
+          }
+      }
+
+    // The last field first: it needs those before it as they are.
+    if (mixed)
+      for (std::size_t i = n; i-- > 0;)
+        {
+          const double own = mixing[i * n + i];
+          for (double &value : scores[i])
+            value *= own;
+          for (std::size_t j = 0; j < i; ++j)
+            if (mixing[i * n + j] != 0.)
+              for (std::size_t c = 0; c < scores[i].size(); ++c)
+                scores[i][c] += mixing[i * n + j] * scores[j][c];
+        }
+  }
+} // namespace Waker

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/reliability/columns.h>
+
+#include <limits>
+
+namespace Waker
+{
+  namespace
+  {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+    /// A record has -1 for a time at which nothing happened.
+    double
+    time_or_nan(const double time)
+    {
+      return time < 0. ? nan : time;
+    }
+
+
+    /// Nothing that moved has no mean displacement.
+    double
+    displacement(const MovedSoil &soil, const double value)
+    {
+      return soil.area > 0. ? value : nan;
+    }
+
+
+    bool
+    failed(const Record &record)
+    {
+      return record.initial_time >= 0.;
+    }
+
+
+    using A = AnalysedRecord;
+  } // namespace
+
+
+
+  const std::vector<Column<AnalysedRecord, double>> real_columns = {
+    {"initial_failure_time",
+     "s",
+     "time of initial failure",
+     [](const A &a) { return time_or_nan(a.record->initial_time); }},
+    {"initial_failure_time_thesis",
+     "s",
+     "time at which the width is first below the initial one",
+     [](const A &a) { return time_or_nan(a.record->initial_time_thesis); }},
+    {"flooding_time",
+     "s",
+     "time of flooding",
+     [](const A &a) { return time_or_nan(a.record->flooding_time); }},
+    {"end_time",
+     "s",
+     "time at which the realisation stopped",
+     [](const A &a) { return a.record->end_time; }},
+    {"initial_width",
+     "m",
+     "initial width of the dyke at the water level",
+     [](const A &a) { return a.record->initial_width; }},
+    {"initial_height",
+     "m",
+     "initial height of the dyke",
+     [](const A &a) { return a.record->initial_height; }},
+    {"residual_width",
+     "m",
+     "width of the dyke at the end",
+     [](const A &a) { return a.record->residual_width; }},
+    {"residual_height",
+     "m",
+     "height of the dyke at the end",
+     [](const A &a) { return a.record->residual_height; }},
+    {"width_after_first_slide",
+     "m",
+     "width of the dyke after the first slide",
+     [](const A &a) { return a.slides.empty() ? nan : a.slides[0].width; }},
+    {"height_after_first_slide",
+     "m",
+     "height of the dyke after the first slide",
+     [](const A &a) { return a.slides.empty() ? nan : a.slides[0].height; }},
+
+    {"inward_area",
+     "m2",
+     "area of soil moved inward by more than 0.5 m, at the end",
+     [](const A &a) { return a.record->inward.area; }},
+    {"inward_dx",
+     "m",
+     "its mean horizontal displacement",
+     [](const A &a) {
+       return displacement(a.record->inward, a.record->inward.dx);
+     }},
+    {"inward_dy",
+     "m",
+     "its mean vertical displacement",
+     [](const A &a) {
+       return displacement(a.record->inward, a.record->inward.dy);
+     }},
+    {"outward_area",
+     "m2",
+     "area of soil moved outward by more than 0.5 m, at the end",
+     [](const A &a) { return a.record->outward.area; }},
+    {"outward_dx",
+     "m",
+     "its mean horizontal displacement",
+     [](const A &a) {
+       return displacement(a.record->outward, a.record->outward.dx);
+     }},
+    {"outward_dy",
+     "m",
+     "its mean vertical displacement",
+     [](const A &a) {
+       return displacement(a.record->outward, a.record->outward.dy);
+     }},
+    {"first_inward_area",
+     "m2",
+     "area of soil moved inward by more than 0.5 m, 1 s after initial failure",
+     [](const A &a) {
+       return failed(*a.record) ? a.record->first_inward.area : nan;
+     }},
+    {"first_inward_dx",
+     "m",
+     "its mean horizontal displacement",
+     [](const A &a) {
+       return displacement(a.record->first_inward, a.record->first_inward.dx);
+     }},
+    {"first_inward_dy",
+     "m",
+     "its mean vertical displacement",
+     [](const A &a) {
+       return displacement(a.record->first_inward, a.record->first_inward.dy);
+     }},
+    {"first_outward_area",
+     "m2",
+     "area of soil moved outward by more than 0.5 m, 1 s after initial failure",
+     [](const A &a) {
+       return failed(*a.record) ? a.record->first_outward.area : nan;
+     }},
+    {"first_outward_dx",
+     "m",
+     "its mean horizontal displacement",
+     [](const A &a) {
+       return displacement(a.record->first_outward, a.record->first_outward.dx);
+     }},
+    {"first_outward_dy",
+     "m",
+     "its mean vertical displacement",
+     [](const A &a) {
+       return displacement(a.record->first_outward, a.record->first_outward.dy);
+     }},
+
+    {"mean_strength",
+     "kPa",
+     "mass average of the first random field",
+     [](const A &a) { return a.record->mean_strength; }},
+    {"least_strength",
+     "kPa",
+     "least value of the first random field",
+     [](const A &a) { return a.record->least_strength; }},
+    {"wall_time",
+     "s",
+     "time that the computer took",
+     [](const A &a) { return a.record->wall_time; }},
+    {"field_time", "s", "of which for the random fields", [](const A &a) {
+       return a.record->field_time;
+     }}};
+
+
+
+  const std::vector<Column<AnalysedRecord, std::int8_t>> flag_columns = {
+    {"outcome",
+     "1",
+     "how the realisation ended",
+     [](const A &a) { return static_cast<std::int8_t>(a.record->outcome); },
+     "stable initial_failure flooding numerical_failure"},
+    {"failure_class",
+     "1",
+     "how the dyke failed",
+     [](const A &a) { return static_cast<std::int8_t>(a.failure_class); },
+     "none initial_only retrogressive horizontal outer"}};
+
+
+
+  const std::vector<Column<AnalysedRecord, std::int32_t>> count_columns = {
+    {"attempts",
+     "1",
+     "attempts, each but the first with a smaller time step",
+     [](const A &a) { return static_cast<std::int32_t>(a.record->attempts); }},
+    {"n_slides", "1", "number of slides", [](const A &a) {
+       return static_cast<std::int32_t>(a.slides.size());
+     }}};
+
+
+
+  const std::vector<Column<AnalysedRecord, std::int64_t>> work_columns = {
+    {"steps",
+     "1",
+     "time steps",
+     [](const A &a) { return static_cast<std::int64_t>(a.record->steps); }},
+    {"newton_iterations",
+     "1",
+     "Newton iterations",
+     [](const A &a) {
+       return static_cast<std::int64_t>(a.record->newton_iterations);
+     }},
+    {"linear_iterations",
+     "1",
+     "linear iterations",
+     [](const A &a) {
+       return static_cast<std::int64_t>(a.record->linear_iterations);
+     }},
+    {"unconverged_steps",
+     "1",
+     "time steps that did not converge",
+     [](const A &a) {
+       return static_cast<std::int64_t>(a.record->unconverged_steps);
+     }}};
+
+
+
+  const std::vector<Column<Slide, double>> slide_columns = {
+    {"slide_start",
+     "s",
+     "start of the slide",
+     [](const Slide &s) { return s.start; }},
+    {"slide_end",
+     "s",
+     "end of the slide",
+     [](const Slide &s) { return s.end; }},
+    {"slide_width",
+     "m",
+     "width of the dyke after the slide",
+     [](const Slide &s) { return s.width; }},
+    {"slide_height",
+     "m",
+     "height of the dyke after the slide",
+     [](const Slide &s) { return s.height; }}};
+} // namespace Waker

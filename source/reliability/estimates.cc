@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/reliability/estimates.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Waker
+{
+  namespace
+  {
+    Estimate
+    make_estimate(const std::uint64_t n_initial,
+                  const std::uint64_t n_flooding,
+                  const std::uint64_t n)
+    {
+      return {proportion(n_initial, n),
+              proportion(n_flooding, n),
+              proportion(n_flooding, n_initial)};
+    }
+
+
+    /// Moments of an event, sorted.
+    std::vector<double>
+    event_times(const std::vector<Record> &records, double Record::*const time)
+    {
+      std::vector<double> times;
+      for (const Record &record : records)
+        if (counts(record) && record.*time >= 0.)
+          times.push_back(record.*time);
+      std::sort(times.begin(), times.end());
+      return times;
+    }
+
+
+    std::uint64_t
+    n_until(const std::vector<double> &sorted_times, const double time)
+    {
+      return std::upper_bound(sorted_times.begin(), sorted_times.end(), time) -
+             sorted_times.begin();
+    }
+  } // namespace
+
+
+  ScenarioEstimate
+  estimate(const std::vector<Record> &records)
+  {
+    ScenarioEstimate result;
+    std::uint64_t    n_initial = 0, n_initial_by_width = 0, n_flooding = 0;
+    for (const Record &record : records)
+      if (counts(record))
+        {
+          ++result.n;
+          n_initial += record.initial_time >= 0.;
+          n_initial_by_width += record.initial_time_thesis >= 0.;
+          n_flooding += record.flooding_time >= 0.;
+        }
+      else
+        ++result.n_numerical;
+
+    const std::uint64_t all = result.n + result.n_numerical;
+    result.by_geometry      = make_estimate(n_initial, n_flooding, result.n);
+    result.by_width = make_estimate(n_initial_by_width, n_flooding, result.n);
+    result.if_all_failed  = make_estimate(n_initial + result.n_numerical,
+                                         n_flooding + result.n_numerical,
+                                         all);
+    result.if_none_failed = make_estimate(n_initial, n_flooding, all);
+    return result;
+  }
+
+
+  std::vector<EstimateRow>
+  estimate_against_time(const std::vector<Record> &records,
+                        const unsigned int         n_rows)
+  {
+    std::uint64_t n   = 0;
+    double        end = 0.;
+    for (const Record &record : records)
+      if (counts(record))
+        {
+          ++n;
+          end = std::max({end, record.end_time, record.flooding_time});
+        }
+    const std::vector<double> initial =
+      event_times(records, &Record::initial_time);
+    const std::vector<double> flooding =
+      event_times(records, &Record::flooding_time);
+
+    std::vector<double> times = {0., end};
+    times.insert(times.end(), initial.begin(), initial.end());
+    times.insert(times.end(), flooding.begin(), flooding.end());
+    std::sort(times.begin(), times.end());
+    times.erase(std::unique(times.begin(), times.end()), times.end());
+    if (times.size() > n_rows)
+      {
+        times.resize(n_rows);
+        for (unsigned int i = 0; i < n_rows; ++i)
+          times[i] = i + 1 == n_rows ? end : end * i / (n_rows - 1);
+      }
+
+    std::vector<EstimateRow> rows;
+    rows.reserve(times.size());
+    for (const double time : times)
+      rows.push_back(
+        {time,
+         make_estimate(n_until(initial, time), n_until(flooding, time), n)});
+    return rows;
+  }
+
+
+  std::vector<EstimateRow>
+  estimate_convergence(const std::vector<Record> &records,
+                       const unsigned int         n_rows)
+  {
+    std::vector<const Record *> ordered;
+    ordered.reserve(records.size());
+    for (const Record &record : records)
+      if (counts(record))
+        ordered.push_back(&record);
+    std::sort(ordered.begin(),
+              ordered.end(),
+              [](const Record *const a, const Record *const b) {
+                return a->realisation < b->realisation;
+              });
+
+    std::vector<EstimateRow> rows;
+    const double             n         = static_cast<double>(ordered.size());
+    std::uint64_t            n_initial = 0, n_flooding = 0;
+    // where the next row is due: n^(row / (n_rows - 1)), but each number once
+    unsigned int row  = 0;
+    double       next = 1.;
+    for (std::size_t i = 0; i < ordered.size(); ++i)
+      {
+        n_initial += ordered[i]->initial_time >= 0.;
+        n_flooding += ordered[i]->flooding_time >= 0.;
+        const double number = i + 1.;
+        if (number < next && i + 1 < ordered.size())
+          continue;
+        rows.push_back({number, make_estimate(n_initial, n_flooding, i + 1)});
+        while (next <= number && row + 1 < n_rows)
+          {
+            ++row;
+            next = std::pow(n, row / (n_rows - 1.));
+          }
+      }
+    return rows;
+  }
+} // namespace Waker

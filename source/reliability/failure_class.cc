@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/exceptions.h>
+
+#include <waker/reliability/failure_class.h>
+
+#include <cmath>
+#include <iterator>
+
+namespace Waker
+{
+  namespace
+  {
+    bool
+    goes_outwards(const Record &record)
+    {
+      if (record.first_outward.area != record.first_inward.area)
+        return record.first_outward.area > record.first_inward.area;
+      if (record.outward.area != record.inward.area)
+        return record.outward.area > record.inward.area;
+      return record.residual_width > record.initial_width;
+    }
+
+
+    /// Geometry at the beginning of the last slide.
+    TracePoint
+    before_last(const Record &record, const std::vector<Slide> &slides)
+    {
+      if (slides.size() < 2)
+        return {0., record.initial_width, record.initial_height};
+      const Slide &slide = *std::prev(slides.end(), 2);
+      return {slide.end, slide.width, slide.height};
+    }
+
+
+    bool
+    keeps_width(const Record &record, const std::vector<Slide> &slides)
+    {
+      const TracePoint before = before_last(record, slides);
+      double           width  = record.residual_width;
+      if (slides.back().floods)
+        {
+          // W is 0 at flooding, so look at it half way down
+          const double half = 0.5 * (before.height + slides.back().height);
+          for (const TracePoint &point : record.trace)
+            if (point.time >= before.time && point.height > half)
+              width = point.width;
+        }
+      return width >= FailureClassLimits::kept_width * before.width;
+    }
+
+
+    bool
+    is_translated(const Record &record, const std::vector<Slide> &slides)
+    {
+      const MovedSoil &soil = record.inward;
+      return soil.area > 0. &&
+             soil.area >= FailureClassLimits::moved_area *
+                            record.initial_width * record.initial_height &&
+             std::abs(soil.dy) <=
+               FailureClassLimits::fall * std::abs(soil.dx) &&
+             keeps_width(record, slides);
+    }
+  } // namespace
+
+
+  std::string
+  to_string(const FailureClass failure_class)
+  {
+    switch (failure_class)
+      {
+        case FailureClass::none:
+          return "none";
+        case FailureClass::initial_only:
+          return "initial only";
+        case FailureClass::retrogressive:
+          return "retrogressive";
+        case FailureClass::horizontal:
+          return "horizontal";
+        case FailureClass::outer:
+          return "outer";
+      }
+    Assert(false, dealii::ExcInternalError());
+    return "";
+  }
+
+
+  FailureClass
+  classify(const Record &record, const std::vector<Slide> &slides)
+  {
+    if (record.initial_time < 0.)
+      return FailureClass::none;
+    Assert(!slides.empty(),
+           dealii::ExcMessage("find_slides() gives one to every failure"));
+    if (goes_outwards(record))
+      return FailureClass::outer;
+    if (is_translated(record, slides))
+      return FailureClass::horizontal;
+    return slides.size() > 1 ? FailureClass::retrogressive
+                             : FailureClass::initial_only;
+  }
+} // namespace Waker

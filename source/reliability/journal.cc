@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/errors.h>
+#include <waker/output/files.h>
+#include <waker/reliability/journal.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <tuple>
+
+namespace Waker
+{
+  namespace
+  {
+    const std::string prefix = "journal-";
+    const std::string suffix = ".jsonl";
+
+
+    bool
+    is_journal_name(const std::string &name)
+    {
+      return name.size() > prefix.size() + suffix.size() &&
+             name.compare(0, prefix.size(), prefix) == 0 &&
+             name.compare(name.size() - suffix.size(), suffix.size(), suffix) ==
+               0;
+    }
+  } // namespace
+
+
+
+  JournalReader::JournalReader(const std::string &folder,
+                               const std::string &campaign_hash)
+    : folder(folder)
+    , campaign_hash(campaign_hash)
+  {}
+
+
+
+  std::vector<Record>
+  JournalReader::poll()
+  {
+    namespace fs = std::filesystem;
+    std::error_code        error;
+    fs::directory_iterator entry(folder, error);
+    while (!error && entry != fs::directory_iterator())
+      {
+        const std::string name = entry->path().filename().string();
+        if (is_journal_name(name))
+          journals[name];
+        entry.increment(error);
+      }
+    if (error)
+      throw UserError(folder,
+                      "cannot be read: " + error.message(),
+                      "the folder of a campaign");
+
+    std::vector<Record> records;
+    for (auto &[name, journal] : journals)
+      read_new_lines(name, journal, records);
+    return records;
+  }
+
+
+
+  JournalCounts
+  JournalReader::counts() const
+  {
+    JournalCounts counts = counted;
+    for (const auto &[name, journal] : journals)
+      {
+        counts.n_journals += journal.is_ours ? 1 : 0;
+        if (journal.size > journal.position)
+          {
+            ++counts.n_truncated;
+            counts.remarks.push_back(name + ":" +
+                                     std::to_string(journal.n_lines + 1) +
+                                     ": the last line has no end; dropped");
+          }
+      }
+    return counts;
+  }
+
+
+
+  void
+  JournalReader::read_new_lines(const std::string   &name,
+                                Journal             &journal,
+                                std::vector<Record> &records)
+  {
+    const std::string path = join_path(folder, name);
+    std::error_code   error;
+    journal.size = std::filesystem::file_size(path, error);
+    if (!error && journal.size <= journal.position)
+      return;
+
+    std::string text;
+    if (!error)
+      {
+        text.resize(journal.size - journal.position);
+        std::ifstream file(path, std::ios::binary);
+        file.seekg(static_cast<std::streamoff>(journal.position));
+        file.read(text.data(), static_cast<std::streamsize>(text.size()));
+        // It may have lost a part of a line since.
+        text.resize(static_cast<std::size_t>(file.gcount()));
+        journal.size = journal.position + text.size();
+        if (!file && !file.eof())
+          error = std::error_code(errno, std::generic_category());
+      }
+    if (error)
+      throw UserError(path,
+                      "cannot be read: " + error.message(),
+                      "a readable file");
+
+    std::size_t begin = 0;
+    for (std::size_t end = text.find('\n'); end != std::string::npos;
+         end             = text.find('\n', begin))
+      {
+                    const std::string line = text.substr(begin, end - begin);
+                    begin                  = end + 1;
+                    ++journal.n_lines;
+                    if (journal.n_lines == 1)
+          read_header(name, line, journal);
+        else if (journal.is_ours)
+          read_record(name + ":" + std::to_string(journal.n_lines),
+                      line,
+                      records);
+        else
+          ++counted.n_foreign;
+      }
+    journal.position += begin;
+  }
+
+
+
+  void
+  JournalReader::read_header(const std::string &name,
+                             const std::string &line,
+                             Journal           &journal)
+  {
+    std::string  campaign;
+    unsigned int schema = 0;
+    try
+      {
+        const nlohmann::json header = nlohmann::json::parse(line);
+        campaign                    = header.at("campaign").get<std::string>();
+        schema = header.at("schema_version").get<unsigned int>();
+      }
+    catch (const nlohmann::json::exception &)
+      {
+        ++counted.n_damaged;
+        counted.remarks.push_back(name +
+                                  ":1: the first line, which names the "
+                                  "campaign, cannot be read; journal skipped");
+        return;
+      }
+
+    if (campaign != campaign_hash)
+      {
+        counted.remarks.push_back(name + ": of another campaign (" + campaign +
+                                  ", not " + campaign_hash + "); skipped");
+        return;
+      }
+    if (schema > journal_schema_version)
+      throw UserError(join_path(folder, name),
+                      "has schema version " + std::to_string(schema) +
+                        ": it was written by a newer version of the program",
+                      "schema versions up to " +
+                        std::to_string(journal_schema_version));
+    journal.is_ours = true;
+  }
+
+
+
+  void
+  JournalReader::read_record(const std::string   &place,
+                             const std::string   &line,
+                             std::vector<Record> &records)
+  {
+    Record record;
+    try
+      {
+        record = record_from_json(line);
+      }
+    catch (const std::runtime_error &error)
+      {
+        ++counted.n_damaged;
+        counted.remarks.push_back(place + ": cannot be read (" + error.what() +
+                                  "); dropped");
+        return;
+      }
+
+    const std::uint64_t print = fingerprint(record);
+    const auto [earlier, is_new] =
+      known.try_emplace({record.scenario, record.realisation}, print);
+    if (is_new)
+      {
+        ++counted.n_records;
+        records.push_back(std::move(record));
+      }
+    else if (earlier->second == print)
+      ++counted.n_repeated;
+    else
+      {
+        ++counted.n_conflicting;
+        counted.remarks.push_back(
+          place + ": another result of scenario " +
+          std::to_string(record.scenario) + ", realisation " +
+          std::to_string(record.realisation) + "; the first one is kept");
+      }
+  }
+
+
+
+  JournalContents
+  read_journals(const std::string &folder, const std::string &campaign_hash)
+  {
+    JournalReader   reader(folder, campaign_hash);
+    JournalContents contents;
+    contents.records = reader.poll();
+    contents.counts  = reader.counts();
+    std::sort(contents.records.begin(),
+              contents.records.end(),
+              [](const Record &a, const Record &b) {
+                return std::tie(a.scenario, a.realisation) <
+                       std::tie(b.scenario, b.realisation);
+              });
+    return contents;
+  }
+} // namespace Waker

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/errors.h>
+#include <waker/base/log.h>
+#include <waker/output/files.h>
+#include <waker/reliability/campaign_folder.h>
+#include <waker/reliability/journal.h>
+#include <waker/reliability/progress.h>
+#include <waker/reliability/report.h>
+#include <waker/reliability/store.h>
+
+#include <filesystem>
+
+namespace Waker
+{
+  namespace
+  {
+    struct FolderContents
+    {
+      CampaignInfo        info;
+      JournalCounts       counts;
+      std::vector<Record> records; // wanted
+      std::uint64_t       n_surplus = 0;
+      std::uint64_t       n_wanted  = 0;
+
+      std::vector<std::vector<Record>>
+      by_scenario() const
+      {
+        std::vector<std::vector<Record>> result(info.scenarios.size());
+        for (const Record &record : records)
+          result[record.scenario].push_back(record);
+        return result;
+      }
+    };
+
+
+    FolderContents
+    read_folder(const std::string &folder, const Input &input, const bool all)
+    {
+      FolderContents contents;
+      contents.info = CampaignInfo::read(join_path(folder, "campaign.json"));
+      JournalContents journals = read_journals(folder, contents.info.hash);
+      contents.counts          = journals.counts;
+
+      CampaignParameters parameters = input.reliability.campaign;
+      parameters.realisations       = contents.info.realisations;
+      Progress progress(parameters, contents.info.scenarios.size());
+      for (const Record &record : journals.records)
+        progress.add(record);
+      contents.n_wanted = progress.n_wanted();
+      for (Record &record : journals.records)
+        if (record.scenario < contents.info.scenarios.size() &&
+            (all || record.realisation < progress.end(record.scenario)))
+          contents.records.push_back(std::move(record));
+        else
+          ++contents.n_surplus;
+      return contents;
+    }
+
+
+    void
+    print_remarks(const FolderContents &contents, Log &log)
+    {
+      for (const std::string &remark : contents.counts.remarks)
+        log.line("  " + remark);
+      if (contents.n_surplus > 0)
+        log.line("  " + std::to_string(contents.n_surplus) +
+                 " realisations beyond the end that a stop rule set are left "
+                 "out (merge --all takes them in).");
+    }
+  } // namespace
+
+
+  void
+  merge_campaign(const std::string &folder,
+                 const Input       &input,
+                 const bool         all,
+                 Log               &log)
+  {
+    const FolderContents contents = read_folder(folder, input, all);
+    if (contents.records.empty())
+      throw UserError(folder,
+                      "has no finished realisation",
+                      "the folder of a campaign with at least one");
+    const ReliabilityParameters &parameters = input.reliability;
+    write_store(join_path(folder, "results.h5"),
+                contents.info,
+                contents.records,
+                parameters.analysis.slides,
+                contents.counts,
+                contents.n_surplus);
+    const std::string report = join_path(folder, "report");
+    std::filesystem::create_directories(report);
+    const auto records = contents.by_scenario();
+    write_report(contents.info, records, parameters.analysis, report);
+
+    log.line("Merged " + std::to_string(contents.records.size()) +
+             " realisations from " +
+             std::to_string(contents.counts.n_journals) + " journal(s) to " +
+             join_path(folder, "results.h5") + " and " + report + "/");
+    print_remarks(contents, log);
+    log.line(report_text(contents.info, records, parameters.analysis));
+  }
+
+
+  void
+  print_status(const std::string &folder, const Input &input, Log &log)
+  {
+    const FolderContents contents = read_folder(folder, input, false);
+    double               busy     = 0.;
+    for (const Record &record : contents.records)
+      busy += record.wall_time;
+    log.line("Campaign " + contents.info.hash + " in " + folder + ": " +
+             std::to_string(contents.records.size()) + " of " +
+             std::to_string(contents.n_wanted) + " realisations done");
+    if (!contents.records.empty())
+      {
+        const double mean = busy / contents.records.size();
+        log.line("  " + std::to_string(static_cast<int>(3600. / mean)) +
+                 " realisations an hour and core, " +
+                 std::to_string(
+                   (contents.n_wanted - contents.records.size()) * mean /
+                   3600.) +
+                 " core hours to go");
+      }
+    print_remarks(contents, log);
+    log.line(
+      report_text(contents.info, contents.by_scenario(), input.reliability.analysis));
+  }
+} // namespace Waker

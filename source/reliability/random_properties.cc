@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/errors.h>
+#include <waker/base/expression.h>
+#include <waker/reliability/random_properties.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+namespace Waker
+{
+  namespace
+  {
+    template <int dim>
+    std::array<double, 3>
+    coordinates(const Point<dim> &x)
+    {
+      std::array<double, 3> result{};
+      for (unsigned int d = 0; d < dim; ++d)
+        result[d] = x[d];
+      return result;
+    }
+
+
+    /// The cells that hold all points: aligned with the grid, so that by
+    /// default each support domain has its own.
+    template <int dim>
+    FieldLattice
+    make_lattice(const Case<dim> &the_case, const std::vector<double> &cell_size)
+    {
+      const MaterialPoints<dim> &points = the_case.initial_points;
+      FieldLattice               lattice;
+      lattice.dim = dim;
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          const double size =
+            cell_size.empty() ? 2. * points.half_size[0][d] : cell_size[d];
+          const double corner = the_case.parameters.grid.lower_corner[d];
+          double       first  = std::numeric_limits<double>::max();
+          double       last   = -first;
+          for (const Point<dim> &x : points.initial_position)
+            {
+              const double cell = std::floor((x[d] - corner) / size);
+              first             = std::min(first, cell);
+              last              = std::max(last, cell);
+            }
+          lattice.cell_size[d] = size;
+          lattice.origin[d]    = corner + first * size;
+          lattice.n_cells[d] = static_cast<unsigned int>(last - first) + 1;
+        }
+      return lattice;
+    }
+
+
+    template <int dim>
+    unsigned int
+    material_number(const Case<dim>             &the_case,
+                    const RandomFieldParameters &field)
+    {
+      const auto &materials = the_case.parameters.materials;
+      std::string names;
+      for (unsigned int m = 0; m < materials.size(); ++m)
+        {
+          if (materials[m].name == field.material ||
+              (field.material.empty() && materials.size() == 1))
+            return m;
+          names += (m > 0 ? ", " : "") + materials[m].name;
+        }
+      throw UserError("Random fields/" + field.name + "/Material",
+                      "is \"" + field.material + "\"",
+                      "one of the materials: " + names);
+    }
+
+
+    /// The value that the material itself gives to the property.
+    template <int dim>
+    double
+    default_value(const Case<dim>             &the_case,
+                  const unsigned int           material,
+                  const std::string           &property,
+                  const RandomFieldParameters &field)
+    {
+      for (const MaterialVariable &variable :
+           the_case.materials[material]->variables())
+        if (variable.name == property)
+          return variable.initial_value;
+      throw UserError("Random fields/" + field.name + "/Property",
+                      "is \"" + property + "\", which the material \"" +
+                        the_case.parameters.materials[material].name +
+                        "\" does not have",
+                      "a material of the model \"von Mises softening\"");
+    }
+  } // namespace
+
+
+  template <int dim>
+  RandomProperties<dim>::RandomProperties(
+    const Case<dim>              &the_case,
+    const RandomFieldsParameters &parameters)
+  {
+    if (parameters.fields.empty())
+      return;
+
+    const MaterialPoints<dim>     &points = the_case.initial_points;
+    std::vector<FieldLattice>      lattices;
+    std::vector<Expression<dim>>   means;
+    for (const RandomFieldParameters &field : parameters.fields)
+      {
+        const std::string  path     = "Random fields/" + field.name;
+        const unsigned int material = material_number(the_case, field);
+        const double       own =
+          default_value(the_case, material, field.property, field);
+        char number[40];
+        std::snprintf(number, sizeof number, "%.17g", own);
+        means.emplace_back(field.mean.empty() ? number : field.mean,
+                           path + "/Mean",
+                           "nothing, a number");
+
+        const double largest =
+          field.maximum < 1e299 ? field.maximum :
+                                  std::numeric_limits<double>::infinity();
+        Target target{field.property,
+                      Marginal(Marginal::kind(field.distribution),
+                               field.minimum,
+                               largest),
+                      {},
+                      {},
+                      {},
+                      {}};
+        lattices.push_back(make_lattice(the_case, field.cell_size));
+        for (std::size_t q = 0; q < points.n_points(); ++q)
+          if (points.material[q] == material)
+            {
+              const Point<dim> &x    = points.initial_position[q];
+              const double      mean = means.back().value(x, 0.);
+              const double      deviation =
+                field.standard_deviation > 0. ?
+                       field.standard_deviation :
+                       field.coefficient_of_variation * mean;
+              std::string problem;
+              if (!std::isfinite(mean) || !(mean >= 0.))
+                problem = "is " + std::to_string(mean);
+              else if (deviation > 0.)
+                problem = target.marginal.problem(mean, deviation);
+              if (!problem.empty())
+                {
+                  std::string place;
+                  for (unsigned int d = 0; d < dim; ++d)
+                    place += (d > 0 ? ", " : "") + std::to_string(x[d]);
+                  throw UserError(path + "/Mean",
+                                  problem + " at (" + place + ")",
+                                  "a mean that fits distribution and limits, "
+                                  "0 or more (kPa)");
+                }
+              target.points.push_back(q);
+              target.cells.push_back(lattices.back().cell_of(coordinates(x)));
+              target.mean.push_back(mean);
+              target.standard_deviation.push_back(deviation);
+            }
+
+        // The residual strength goes along, unless it has its own field.
+        const std::string residual = "residual strength";
+        bool              own_field = field.property == residual;
+        for (const RandomFieldParameters &other : parameters.fields)
+          own_field = own_field || (other.property == residual &&
+                                    material_number(the_case, other) == material);
+        if (!own_field)
+          target.residual_ratio =
+            default_value(the_case, material, residual, field) / own;
+        targets.push_back(std::move(target));
+      }
+
+    const auto score = [&](const unsigned int           f,
+                           const std::array<double, 3> &place,
+                           const double                 value) {
+      const RandomFieldParameters &field = parameters.fields[f];
+      Point<dim>                   x;
+      for (unsigned int d = 0; d < dim; ++d)
+        x[d] = place[d];
+      const double mean = means[f].value(x, 0.);
+      const double deviation =
+        field.standard_deviation > 0. ? field.standard_deviation :
+                                        field.coefficient_of_variation * mean;
+      return targets[f].marginal.normal_score(value, mean, deviation);
+    };
+    fields = std::make_unique<RandomFields>(parameters, lattices, score);
+  }
+
+
+  template <int dim>
+  void
+  RandomProperties<dim>::apply(const double *noise, State<dim> &state) const
+  {
+    if (fields == nullptr)
+      return;
+    fields->generate(noise, scores);
+    for (std::size_t f = 0; f < targets.size(); ++f)
+      {
+        const Target        &target = targets[f];
+        std::vector<double> &values = state.points.scalar(target.property);
+        for (std::size_t i = 0; i < target.points.size(); ++i)
+          values[target.points[i]] =
+            target.standard_deviation[i] > 0. ?
+              target.marginal.value(scores[f][target.cells[i]],
+                                    target.mean[i],
+                                    target.standard_deviation[i]) :
+              target.mean[i];
+        if (target.residual_ratio >= 0.)
+          {
+            std::vector<double> &residual =
+              state.points.scalar("residual strength");
+            const std::vector<double> &strength =
+              state.points.scalar(target.property);
+            for (const std::size_t q : target.points)
+              residual[q] = target.residual_ratio * strength[q];
+          }
+      }
+  }
+
+
+  template <int dim>
+  std::pair<double, double>
+  RandomProperties<dim>::mean_and_least(const State<dim> &state) const
+  {
+    if (targets.empty() || targets[0].points.empty())
+      return {0., 0.};
+    const int number = state.points.find_scalar(targets[0].property);
+    const std::vector<double> &values = state.points.scalars[number].values;
+    double sum = 0., mass = 0., least = values[targets[0].points[0]];
+    for (const std::size_t q : targets[0].points)
+      {
+        sum += state.points.mass[q] * values[q];
+        mass += state.points.mass[q];
+        least = std::min(least, values[q]);
+      }
+    return {sum / mass, least};
+  }
+
+
+  template <int dim>
+  std::vector<std::string>
+  RandomProperties<dim>::description() const
+  {
+    return fields == nullptr ? std::vector<std::string>() :
+                               fields->description();
+  }
+
+
+  template class RandomProperties<2>;
+  template class RandomProperties<3>;
+} // namespace Waker

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/errors.h>
+#include <waker/base/random_numbers.h>
+#include <waker/reliability/realisation_runner.h>
+
+#include <chrono>
+#include <cmath>
+
+namespace Waker
+{
+  namespace
+  {
+    /// Soil has moved when it is further from its place than this (m).
+    constexpr double moved_distance = 0.5;
+    /// The first slide is looked at so long after S1 (s).
+    constexpr double first_look = 1.;
+    /// Change of W or H that goes into the trace (m).
+    constexpr double trace_resolution = 0.02;
+
+    using Clock = std::chrono::steady_clock;
+
+    double
+    seconds_since(const Clock::time_point start)
+    {
+      return std::chrono::duration<double>(Clock::now() - start).count();
+    }
+
+
+    /// Keeps the geometry where it changes: the moment before a change, and
+    /// the one after.
+    class Tracer
+    {
+    public:
+      void
+      add(const double time, const DykeGeometry &geometry)
+      {
+        const TracePoint now{time, geometry.width, geometry.height};
+        if (points.empty())
+          points.push_back(now);
+        else if (std::abs(now.width - points.back().width) > trace_resolution ||
+                 std::abs(now.height - points.back().height) > trace_resolution)
+          {
+            if (last.time > points.back().time)
+              points.push_back(last);
+            points.push_back(now);
+          }
+        last = now;
+      }
+
+      std::vector<TracePoint>
+      finish()
+      {
+        if (!points.empty() && last.time > points.back().time)
+          points.push_back(last);
+        return std::move(points);
+      }
+
+    private:
+      std::vector<TracePoint> points;
+      TracePoint              last{};
+    };
+  } // namespace
+
+
+  template <int dim>
+  MovedSoil
+  moved_soil(const MaterialPoints<dim> &points, const bool positive)
+  {
+    MovedSoil    moved;
+    const double sign = positive ? 1. : -1.;
+    for (std::size_t q = 0; q < points.n_points(); ++q)
+      {
+        const Tensor<1, dim> u =
+          points.position[q] - points.initial_position[q];
+        if (sign * u[0] > moved_distance)
+          {
+            moved.area += points.volume[q];
+            moved.dx += points.volume[q] * u[0];
+            moved.dy += points.volume[q] * u[1];
+          }
+      }
+    if (moved.area > 0.)
+      {
+        moved.dx /= moved.area;
+        moved.dy /= moved.area;
+      }
+    return moved;
+  }
+
+
+  template <int dim>
+  RealisationRunner<dim>::RealisationRunner(
+    const Parameters             &p,
+    const RandomFieldsParameters &fields,
+    const unsigned int            attempts,
+    const MPI_Comm                communicator)
+    : parameters(p)
+    , attempts(attempts)
+    , communicator(communicator)
+    , random_properties(case_of_attempt(0), fields)
+    , noise_buffer(random_properties.n_noise())
+  {}
+
+
+  template <int dim>
+  const Case<dim> &
+  RealisationRunner<dim>::case_of_attempt(const unsigned int attempt)
+  {
+    while (cases.size() <= attempt)
+      {
+        Parameters smaller = parameters;
+        smaller.time.time_step =
+          std::ldexp(parameters.time.time_step, -static_cast<int>(cases.size()));
+        cases.push_back(
+          std::make_unique<const Case<dim>>(smaller, communicator));
+      }
+    return *cases[attempt];
+  }
+
+
+  template <int dim>
+  State<dim>
+  RealisationRunner<dim>::initial(const double *noise) const
+  {
+    State<dim> state = initial_state(*cases[0]);
+    random_properties.apply(noise, state);
+    return state;
+  }
+
+
+  template <int dim>
+  bool
+  RealisationRunner<dim>::run_to_end(const Case<dim> &the_case,
+                                     const volatile std::sig_atomic_t *interrupt,
+                                     State<dim> &state,
+                                     Record     &record) const
+  {
+    const bool       inner_is_positive = parameters.water.side != "right";
+    Realisation<dim> realisation(the_case, state);
+    Tracer           tracer;
+    bool             looked = false; // at the first slide
+    try
+      {
+        while (true)
+          {
+            const StopReason     stop    = realisation.look();
+            const FailureRecord &failure = state.failure;
+            tracer.add(state.time, failure.geometry);
+            if (!looked && failure.failed() &&
+                (stop != StopReason::none ||
+                 state.time >= failure.initial_time + first_look))
+              {
+                looked = true;
+                record.first_inward =
+                  moved_soil(state.points, inner_is_positive);
+                record.first_outward =
+                  moved_soil(state.points, !inner_is_positive);
+              }
+            if (stop != StopReason::none)
+              {
+                record.stop_reason = to_string(stop);
+                record.outcome     = failure.flooded() ? Outcome::flooding :
+                                     failure.failed()  ? Outcome::initial_failure :
+                                                         Outcome::stable;
+                break;
+              }
+            if (interrupt != nullptr && *interrupt != 0)
+              return false;
+            realisation.advance();
+          }
+      }
+    catch (const NumericalFailure &failure)
+      {
+        record.outcome     = Outcome::numerical_failure;
+        record.stop_reason = failure.what();
+      }
+
+    record.initial_time        = state.failure.initial_time;
+    record.initial_time_thesis = state.failure.initial_time_thesis;
+    record.flooding_time       = state.failure.flooding_time;
+    record.end_time            = state.time;
+    record.initial_width       = state.failure.initial_width;
+    record.initial_height      = state.failure.initial_height;
+    record.residual_width      = state.failure.geometry.width;
+    record.residual_height     = state.failure.geometry.height;
+    record.inward              = moved_soil(state.points, inner_is_positive);
+    record.outward             = moved_soil(state.points, !inner_is_positive);
+    record.steps += state.step;
+    record.newton_iterations += state.newton_iterations;
+    record.linear_iterations += state.linear_iterations;
+    record.unconverged_steps += state.unconverged_steps;
+    if (state.failure.failed())
+      record.trace = tracer.finish();
+    return true;
+  }
+
+
+  template <int dim>
+  std::optional<Record>
+  RealisationRunner<dim>::run(const double *noise,
+                              const volatile std::sig_atomic_t *interrupt)
+  {
+    const Clock::time_point start = Clock::now();
+    Record                  record;
+    record.attempts = 0;
+    do
+      {
+        const Case<dim>        &the_case    = case_of_attempt(record.attempts++);
+        State<dim>              state       = initial_state(the_case);
+        const Clock::time_point field_start = Clock::now();
+        random_properties.apply(noise, state);
+        record.field_time += seconds_since(field_start);
+        std::tie(record.mean_strength, record.least_strength) =
+          random_properties.mean_and_least(state);
+        if (!run_to_end(the_case, interrupt, state, record))
+          return {};
+      }
+    while (record.outcome == Outcome::numerical_failure &&
+           record.attempts < attempts);
+    record.wall_time = seconds_since(start);
+    return record;
+  }
+
+
+  template <int dim>
+  std::optional<Record>
+  RealisationRunner<dim>::run(const std::uint64_t               seed,
+                              const std::uint64_t               realisation,
+                              const volatile std::sig_atomic_t *interrupt)
+  {
+    const Clock::time_point start = Clock::now();
+    white_noise({seed, realisation, 0},
+                0,
+                noise_buffer.size(),
+                noise_buffer.data());
+    const double          noise_time = seconds_since(start);
+    std::optional<Record> record     = run(noise_buffer.data(), interrupt);
+    if (record)
+      {
+        record->realisation = realisation;
+        record->field_time += noise_time;
+        record->wall_time += noise_time;
+      }
+    return record;
+  }
+
+
+  template MovedSoil
+  moved_soil(const MaterialPoints<2> &, const bool);
+  template MovedSoil
+  moved_soil(const MaterialPoints<3> &, const bool);
+  template class RealisationRunner<2>;
+  template class RealisationRunner<3>;
+} // namespace Waker

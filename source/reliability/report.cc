@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/errors.h>
+#include <waker/output/files.h>
+#include <waker/reliability/estimates.h>
+#include <waker/reliability/histograms.h>
+#include <waker/reliability/report.h>
+#include <waker/reliability/report_tables.h>
+
+#include <cstdio>
+
+namespace Waker
+{
+  namespace
+  {
+    std::string
+    line(const char *const name, const Proportion &p)
+    {
+      char buffer[200];
+      std::snprintf(buffer,
+                    sizeof buffer,
+                    "\n  %-8s %-10.4g [%.4g, %.4g]  %llu of %llu",
+                    name,
+                    p.estimate,
+                    p.low,
+                    p.high,
+                    static_cast<unsigned long long>(p.count),
+                    static_cast<unsigned long long>(p.n));
+      return buffer;
+    }
+  } // namespace
+
+
+  std::optional<LevelDistribution>
+  read_level_distribution(const RiskParameters &parameters)
+  {
+    if (parameters.distribution == "Gumbel")
+      return LevelDistribution::gumbel(parameters.location, parameters.scale);
+    if (parameters.distribution != "table")
+      return {};
+    std::string text;
+    try
+      {
+        text = read_file(parameters.level_table);
+      }
+    catch (const UserError &error)
+      {
+        throw UserError("Risk/Level table", error.problem, error.allowed);
+      }
+    return LevelDistribution::parse_table(text, parameters.level_table);
+  }
+
+
+  void
+  write_report(const CampaignInfo                     &info,
+               const std::vector<std::vector<Record>> &records_by_scenario,
+               const AnalysisParameters               &parameters,
+               const std::string                      &directory)
+  {
+    const auto distribution = read_level_distribution(parameters.risk);
+    const auto scenarios    = analyse(info, records_by_scenario, parameters);
+    const auto points       = fragility_points(info, records_by_scenario);
+
+    const auto write = [&](const char *const name, const std::string &text) {
+      write_file(join_path(directory, name), text);
+    };
+    using namespace ReportTables;
+    const HistogramParameters &bins = parameters.histograms;
+    write("probabilities.csv", probabilities(scenarios));
+    write("probability_time.csv", probability_time(scenarios));
+    write("convergence.csv", convergence(scenarios));
+    write("histograms.csv", histograms(scenarios, bins));
+    write("residual_resistance_width.csv",
+          residual_resistance_width(scenarios, bins));
+    write("classes.csv", classes(scenarios));
+    write("event_tree.csv", event_tree(scenarios));
+    write("fragility.csv", fragility(points));
+    write("fragility_curve.csv", fragility_curve(points));
+    write("fragility_beta.csv", fragility_beta(points));
+    write("report.json",
+          report_json(info, scenarios, points, parameters, distribution));
+  }
+
+
+  std::string
+  report_text(const CampaignInfo                     &info,
+              const std::vector<std::vector<Record>> &records_by_scenario,
+              const AnalysisParameters               &parameters)
+  {
+    const auto  scenarios = analyse(info, records_by_scenario, parameters);
+    std::string text = "Probabilities with 95 % intervals (Clopper-Pearson):";
+    for (const AnalysedScenario &scenario : scenarios)
+      {
+        const ScenarioEstimate e = estimate(*scenario.records);
+        if (!info.swept_parameter.empty())
+          text += "\n" + info.swept_parameter + " = " + scenario.info->value;
+        if (e.n + e.n_numerical == 0)
+          {
+            text += "\n  no realisation yet";
+            continue;
+          }
+        text += line("P(S1)", e.by_geometry.initial);
+        if (e.by_width.initial.count != e.by_geometry.initial.count)
+          text += line("  W < W_i", e.by_width.initial);
+        text += line("P(F)", e.by_geometry.flooding);
+        text += line("P(F|S1)", e.by_geometry.flooding_given);
+        for (const ClassCount &c :
+             count_classes(*scenario.records, scenario.slides))
+          if (c.failure_class != FailureClass::none && c.share.count > 0)
+            text += "\n    " + to_string(c.failure_class) +
+                    (c.flooded ? ", flooded: " : ", not flooded: ") +
+                    std::to_string(c.share.count);
+        if (e.n_numerical > 0)
+          {
+            text += "\n  " + std::to_string(e.n_numerical) +
+                    " numerical failure(s), not counted above; if they all "
+                    "had failed and flooded:";
+            text += line("P(S1)", e.if_all_failed.initial);
+            text += line("P(F)", e.if_all_failed.flooding);
+          }
+      }
+    return text;
+  }
+} // namespace Waker
