@@ -1,0 +1,417 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/errors.h>
+#include <waker/reliability/journal.h>
+
+#include "output_temporary_folder.h"
+#include "reliability_records.h"
+#include <csignal>
+#include <gtest/gtest.h>
+#include <set>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace Waker
+{
+  namespace
+  {
+    const std::string hash = "0123abcd";
+
+
+    void
+    append(const std::string &path, const std::string &text)
+    {
+      std::ofstream(path, std::ios::binary | std::ios::app) << text;
+    }
+
+
+    std::string
+    line(const std::uint64_t i)
+    {
+      return to_json(synthetic_record(0, i)) + "\n";
+    }
+
+
+    /// Run a function in another process, which ends without any clean-up.
+    template <typename Function>
+    pid_t
+    in_another_process(const Function &function)
+    {
+      const pid_t pid = ::fork();
+      if (pid == 0)
+        {
+          try
+            {
+              ::_exit(function());
+            }
+          catch (...)
+            {
+              ::_exit(99);
+            }
+        }
+      return pid;
+    }
+
+
+    int
+    exit_code(const pid_t pid)
+    {
+      int status = 0;
+      ::waitpid(pid, &status, 0);
+      return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+    }
+
+
+    UserError
+    error_of_writing_to(const std::string &folder)
+    {
+      try
+        {
+          const JournalWriter writer(folder, hash);
+        }
+      catch (const UserError &error)
+        {
+          return error;
+        }
+      return {"", "", ""};
+    }
+
+
+    /// Each journal of the folder: a name, "journal-00000.jsonl" is 0.
+    std::string
+    journal(const TemporaryFolder &folder, const unsigned int number = 0)
+    {
+      return folder.file("journal-0000" + std::to_string(number) + ".jsonl");
+    }
+  } // namespace
+
+
+  TEST(Reliability, journals_return_what_was_appended)
+  {
+    const TemporaryFolder folder;
+    {
+      JournalWriter first(folder.path, hash);
+      JournalWriter second(folder.path, hash, 0.); // sync each time
+      EXPECT_EQ(first.path(), journal(folder, 0));
+      EXPECT_EQ(second.path(), journal(folder, 1));
+      for (const std::uint64_t i : {7, 2, 5})
+        first.append(synthetic_record(1, i));
+      for (const std::uint64_t i : {5, 1})
+        second.append(synthetic_record(0, i));
+
+      // Before the writers end.
+      const JournalContents contents = read_journals(folder.path, hash);
+      ASSERT_EQ(contents.records.size(), 5u);
+      const std::vector<std::pair<unsigned int, std::uint64_t>> order = {
+        {0, 1}, {0, 5}, {1, 2}, {1, 5}, {1, 7}};
+      for (unsigned int k = 0; k < 5; ++k)
+        EXPECT_EQ(to_json(contents.records[k]),
+                  to_json(synthetic_record(order[k].first, order[k].second)));
+      EXPECT_EQ(contents.counts.n_journals, 2u);
+      EXPECT_EQ(contents.counts.n_records, 5u);
+      EXPECT_TRUE(contents.counts.remarks.empty());
+    }
+    // A later writer leaves them alone.
+    EXPECT_EQ(JournalWriter(folder.path, hash).path(), journal(folder, 2));
+    EXPECT_EQ(read_journals(folder.path, hash).records.size(), 5u);
+  }
+
+
+  TEST(Reliability, journal_drops_a_last_line_without_end)
+  {
+    const TemporaryFolder folder;
+    JournalWriter(folder.path, hash).append(synthetic_record(0, 0));
+    append(journal(folder), line(1).substr(0, 200));
+    JournalWriter(folder.path, hash).append(synthetic_record(0, 2));
+
+    const JournalContents contents = read_journals(folder.path, hash);
+    ASSERT_EQ(contents.records.size(), 2u);
+    EXPECT_EQ(contents.records[1].realisation, 2u);
+    EXPECT_EQ(contents.counts.n_truncated, 1u);
+    EXPECT_EQ(contents.counts.n_damaged, 0u);
+    ASSERT_EQ(contents.counts.remarks.size(), 1u);
+    EXPECT_EQ(contents.counts.remarks[0],
+              "journal-00000.jsonl:3: the last line has no end; dropped");
+  }
+
+
+  TEST(Reliability, journal_reader_waits_for_the_end_of_a_line)
+  {
+    const TemporaryFolder folder;
+    JournalReader         reader(folder.path, hash);
+    EXPECT_TRUE(reader.poll().empty());
+
+    // The first line comes in two parts, too.
+    JournalWriter(folder.path, hash).append(synthetic_record(0, 0));
+    const std::string whole = get(journal(folder));
+    put(journal(folder), whole.substr(0, 10));
+    EXPECT_TRUE(reader.poll().empty());
+    EXPECT_EQ(reader.counts().n_journals, 0u);
+    append(journal(folder), whole.substr(10));
+    EXPECT_EQ(reader.poll().size(), 1u);
+    EXPECT_TRUE(reader.poll().empty());
+
+    append(journal(folder), line(1) + line(2).substr(0, 30));
+    EXPECT_EQ(reader.poll().size(), 1u);
+    EXPECT_EQ(reader.counts().n_truncated, 1u);
+    EXPECT_TRUE(reader.poll().empty());
+    append(journal(folder), line(2).substr(30));
+    const std::vector<Record> last = reader.poll();
+    ASSERT_EQ(last.size(), 1u);
+    EXPECT_EQ(to_json(last[0]) + "\n", line(2));
+    EXPECT_EQ(reader.counts().n_truncated, 0u);
+    EXPECT_EQ(reader.counts().n_records, 3u);
+  }
+
+
+  TEST(Reliability, journal_counts_damaged_lines_and_keeps_the_rest)
+  {
+    const TemporaryFolder folder;
+    JournalWriter(folder.path, hash).append(synthetic_record(0, 0));
+    std::string holes = line(2);
+    std::fill(holes.begin() + 40, holes.begin() + 80, '\0');
+    append(journal(folder), line(1).substr(0, 99) + "\n" + holes + "\n");
+    append(journal(folder), line(3));
+
+    const JournalContents contents = read_journals(folder.path, hash);
+    ASSERT_EQ(contents.records.size(), 2u);
+    EXPECT_EQ(contents.records[1].realisation, 3u);
+    EXPECT_EQ(contents.counts.n_damaged, 3u); // one is empty
+    ASSERT_EQ(contents.counts.remarks.size(), 3u);
+    EXPECT_EQ(contents.counts.remarks[0],
+              "journal-00000.jsonl:3: cannot be read (not a JSON object); "
+              "dropped");
+  }
+
+
+  TEST(Reliability, journals_of_other_campaigns_are_skipped_and_named)
+  {
+    const TemporaryFolder folder;
+    JournalWriter(folder.path, hash).append(synthetic_record(0, 0));
+    {
+      JournalWriter other(folder.path, "ffff");
+      other.append(synthetic_record(0, 1));
+      other.append(synthetic_record(0, 2));
+    }
+    put(journal(folder, 2), "not JSON\n" + line(3));
+    put(journal(folder, 3), ""); // its writer was killed at once
+    put(folder.file("journal.txt"), "mine\n");
+
+    const JournalContents contents = read_journals(folder.path, hash);
+    EXPECT_EQ(contents.records.size(), 1u);
+    EXPECT_EQ(contents.counts.n_journals, 1u);
+    EXPECT_EQ(contents.counts.n_foreign, 3u);
+    EXPECT_EQ(contents.counts.n_damaged, 1u);
+    ASSERT_EQ(contents.counts.remarks.size(), 2u);
+    EXPECT_EQ(contents.counts.remarks[0],
+              "journal-00001.jsonl: of another campaign (ffff, not 0123abcd); "
+              "skipped");
+    EXPECT_NE(contents.counts.remarks[1].find("journal-00002.jsonl:1:"),
+              std::string::npos);
+  }
+
+
+  TEST(Reliability, journal_of_a_newer_version_is_refused)
+  {
+    const TemporaryFolder folder;
+    JournalWriter(folder.path, hash).append(synthetic_record(0, 0));
+    std::string text = get(journal(folder));
+    text.replace(text.find("\"schema_version\":1"), 18, "\"schema_version\":2");
+    put(journal(folder), text);
+    try
+      {
+        read_journals(folder.path, hash);
+        FAIL();
+      }
+    catch (const UserError &error)
+      {
+        EXPECT_EQ(error.where, journal(folder));
+        EXPECT_NE(error.problem.find("newer version"), std::string::npos);
+      }
+    EXPECT_THROW(read_journals(folder.file("none"), hash), UserError);
+  }
+
+
+  TEST(Reliability, journals_count_a_realisation_once)
+  {
+    const TemporaryFolder folder;
+    Record                record = synthetic_record(0, 1);
+    JournalWriter(folder.path, hash).append(record);
+    JournalWriter second(folder.path, hash);
+    record.wall_time *= 2.; // another computer
+    second.append(record);
+    record.residual_height += 1e-15;
+    second.append(record);
+
+    const JournalContents contents = read_journals(folder.path, hash);
+    ASSERT_EQ(contents.records.size(), 1u);
+    EXPECT_EQ(to_json(contents.records[0]), to_json(synthetic_record(0, 1)));
+    EXPECT_EQ(contents.counts.n_records, 1u);
+    EXPECT_EQ(contents.counts.n_repeated, 1u);
+    EXPECT_EQ(contents.counts.n_conflicting, 1u);
+    ASSERT_EQ(contents.counts.remarks.size(), 1u);
+    EXPECT_EQ(contents.counts.remarks[0],
+              "journal-00001.jsonl:3: another result of scenario 0, "
+              "realisation 1; the first one is kept");
+  }
+
+
+  TEST(Reliability, journals_of_writers_at_the_same_time_lose_nothing)
+  {
+    const TemporaryFolder folder;
+    constexpr unsigned    n_writers = 4;
+    constexpr unsigned    n_each    = 150;
+    std::vector<pid_t>    writers;
+    for (unsigned int w = 0; w < n_writers; ++w)
+      writers.push_back(in_another_process([&]() {
+        JournalWriter writer(folder.path, hash, -1.);
+        for (unsigned int i = 0; i < n_each; ++i)
+          writer.append(synthetic_record(w, i));
+        return 0;
+      }));
+
+    // Read along.
+    JournalReader                                    reader(folder.path, hash);
+    std::set<std::pair<unsigned int, std::uint64_t>> read;
+    const auto                                       take = [&]() {
+      for (const Record &record : reader.poll())
+        {
+          EXPECT_TRUE(
+            read.insert({record.scenario, record.realisation}).second);
+          EXPECT_EQ(to_json(record),
+                    to_json(
+                      synthetic_record(record.scenario, record.realisation)));
+        }
+    };
+    for (const pid_t pid : writers)
+      {
+        while (::waitpid(pid, nullptr, WNOHANG) == 0)
+          take();
+      }
+    take();
+    EXPECT_EQ(read.size(), n_writers * n_each);
+    EXPECT_EQ(reader.counts().n_journals, n_writers);
+    EXPECT_EQ(reader.counts().n_repeated, 0u);
+    EXPECT_TRUE(reader.counts().remarks.empty());
+  }
+
+
+  TEST(Reliability, journal_keeps_every_finished_line_when_killed)
+  {
+    for (const unsigned int n_before_the_kill : {1u, 17u, 60u})
+      {
+        const TemporaryFolder folder;
+        int                   ends[2];
+        ASSERT_EQ(::pipe(ends), 0);
+        const pid_t pid = in_another_process([&]() {
+          JournalWriter writer(folder.path, hash, -1.);
+          for (std::uint64_t i = 0;; ++i)
+            {
+              writer.append(synthetic_record(0, i));
+              if (::write(ends[1], "x", 1) != 1)
+                return 1;
+            }
+          return 0;
+        });
+        ::close(ends[1]);
+
+        char         said;
+        unsigned int n_finished = 0;
+        while (n_finished < n_before_the_kill && ::read(ends[0], &said, 1) == 1)
+          ++n_finished;
+        ::kill(pid, SIGKILL);
+        EXPECT_EQ(exit_code(pid), -SIGKILL);
+        while (::read(ends[0], &said, 1) == 1) // what it had said until then
+          ++n_finished;
+        ::close(ends[0]);
+
+        const JournalContents contents = read_journals(folder.path, hash);
+        EXPECT_GE(contents.records.size(), n_finished);
+        EXPECT_LE(contents.records.size(), n_finished + 1);
+        for (std::size_t i = 0; i < contents.records.size(); ++i)
+          EXPECT_EQ(to_json(contents.records[i]) + "\n", line(i));
+      }
+  }
+
+
+  TEST(Reliability, journal_on_a_full_disk_keeps_whole_lines)
+  {
+    const TemporaryFolder folder;
+    const auto            exit = exit_code(in_another_process([&]() {
+      // The system takes a part of the line that goes beyond the limit, as a
+      // full disk does.
+      ::signal(SIGXFSZ, SIG_IGN);
+      rlimit limit;
+      ::getrlimit(RLIMIT_FSIZE, &limit);
+      const rlim_t none = limit.rlim_cur;
+      limit.rlim_cur    = 5000;
+      ::setrlimit(RLIMIT_FSIZE, &limit);
+
+      JournalWriter writer(folder.path, hash);
+      std::uint64_t n_written = 0;
+      try
+        {
+          for (; n_written < 100; ++n_written)
+            writer.append(synthetic_record(0, n_written));
+          return 1;
+        }
+      catch (const UserError &error)
+        {
+          if (error.where != writer.path() ||
+              error.problem != "cannot be written: File too large")
+            return 2;
+        }
+      if (n_written < 2 || get(writer.path()).back() != '\n' ||
+          read_journals(folder.path, hash).records.size() != n_written)
+        return 3;
+
+      // Space again: the same writer goes on.
+      limit.rlim_cur = none;
+      ::setrlimit(RLIMIT_FSIZE, &limit);
+      writer.append(synthetic_record(0, n_written));
+      return static_cast<int>(10 + n_written);
+    }));
+    ASSERT_GT(exit, 10) << exit;
+
+    const JournalContents contents = read_journals(folder.path, hash);
+    ASSERT_EQ(contents.records.size(), static_cast<std::size_t>(exit - 9));
+    for (std::size_t i = 0; i < contents.records.size(); ++i)
+      EXPECT_EQ(to_json(contents.records[i]) + "\n", line(i));
+    EXPECT_TRUE(contents.counts.remarks.empty());
+  }
+
+
+  TEST(Reliability, journal_that_cannot_be_created_is_refused)
+  {
+    const TemporaryFolder folder;
+    put(folder.file("file"), "mine");
+    const UserError none = error_of_writing_to(folder.file("none"));
+    EXPECT_EQ(none.where, folder.file("none/journal-00000.jsonl"));
+    EXPECT_EQ(none.problem, "cannot be written: No such file or directory");
+    EXPECT_FALSE(none.allowed.empty());
+    EXPECT_EQ(error_of_writing_to(folder.file("file")).problem,
+              "cannot be written: Not a directory");
+
+    // No room for its first line: no file either.
+    const int code = exit_code(in_another_process([&]() {
+      ::signal(SIGXFSZ, SIG_IGN);
+      const rlimit limit = {20, 20};
+      ::setrlimit(RLIMIT_FSIZE, &limit);
+      return error_of_writing_to(folder.path).problem ==
+                 "cannot be written: File too large"
+               ? 0
+               : 1;
+    }));
+    EXPECT_EQ(code, 0);
+    EXPECT_FALSE(std::filesystem::exists(journal(folder)));
+
+    if (::geteuid() != 0) // root may write everywhere
+      {
+        ::chmod(folder.path.c_str(), 0555);
+        EXPECT_EQ(error_of_writing_to(folder.path).problem,
+                  "cannot be written: Permission denied");
+        ::chmod(folder.path.c_str(), 0755);
+      }
+  }
+} // namespace Waker

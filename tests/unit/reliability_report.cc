@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/errors.h>
+#include <waker/output/files.h>
+#include <waker/reliability/report.h>
+#include <waker/reliability/report_tables.h>
+
+#include "output_temporary_folder.h"
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <sstream>
+
+namespace
+{
+  using namespace Waker;
+
+  struct Campaign
+  {
+    CampaignInfo                     info;
+    std::vector<std::vector<Record>> records;
+  };
+
+
+  /// Three water levels, 400 realisations each, of which one failed
+  /// numerically.
+  Campaign
+  make_campaign()
+  {
+    std::mt19937                           generator(11);
+    std::uniform_real_distribution<double> uniform(0., 1.);
+    Campaign                               c;
+    c.info.version         = "test";
+    c.info.realisations    = 400;
+    c.info.swept_parameter = "Water/Level";
+    c.records.resize(3);
+    for (unsigned int s = 0; s < 3; ++s)
+      {
+        ScenarioInfo scenario;
+        scenario.water_level = 4.75 - 0.5 * s;
+        scenario.value       = std::to_string(scenario.water_level);
+        scenario.crest_level = 5.;
+        c.info.scenarios.push_back(scenario);
+        for (std::uint64_t i = 0; i < 400; ++i)
+          {
+            Record r;
+            r.scenario      = s;
+            r.realisation   = i;
+            r.initial_width = r.residual_width = 11.;
+            r.initial_height = r.residual_height = 5.;
+            r.end_time                           = 8.;
+            if (uniform(generator) < 0.2)
+              {
+                r.outcome      = Outcome::initial_failure;
+                r.initial_time = r.initial_time_thesis =
+                  2. + uniform(generator);
+                r.inward = r.first_inward = {30., 2., -1.};
+                r.residual_width          = 4. + 3. * uniform(generator);
+                r.trace = {{0., 11., 5.}, {2., 11., 5.}, {4., 6., 5.}};
+                if (uniform(generator) < 0.7 / (1 + s))
+                  {
+                    r.outcome       = Outcome::flooding;
+                    r.flooding_time = r.end_time = 7.;
+                    r.residual_width             = 0.;
+                    r.residual_height            = 4.;
+                    r.trace.push_back({6., 6., 5.});
+                  }
+                r.trace.push_back(
+                  {r.end_time, r.residual_width, r.residual_height});
+              }
+            c.records[s].push_back(r);
+          }
+        c.records[s][5]             = Record();
+        c.records[s][5].outcome     = Outcome::numerical_failure;
+        c.records[s][5].realisation = 5;
+      }
+    return c;
+  }
+
+
+  const std::vector<std::string> tables = {"probabilities",
+                                           "probability_time",
+                                           "convergence",
+                                           "histograms",
+                                           "residual_resistance_width",
+                                           "classes",
+                                           "event_tree",
+                                           "fragility",
+                                           "fragility_curve",
+                                           "fragility_beta"};
+
+  /// Rows of a table as maps from title to cell; every row must be complete.
+  std::vector<std::map<std::string, std::string>>
+  read_table(const std::string &folder, const std::string &name)
+  {
+    std::istringstream lines(read_file(join_path(folder, name + ".csv")));
+    const auto         split = [](const std::string &line) {
+      std::vector<std::string> cells(1);
+      for (const char c : line)
+        if (c == ',')
+          cells.emplace_back();
+        else
+          cells.back() += c;
+      return cells;
+    };
+    std::string line;
+    std::getline(lines, line);
+    const std::vector<std::string> titles = split(line);
+
+    std::vector<std::map<std::string, std::string>> rows;
+    while (std::getline(lines, line))
+      {
+        const std::vector<std::string> cells = split(line);
+        EXPECT_EQ(cells.size(), titles.size()) << name << ": " << line;
+        rows.emplace_back();
+        for (std::size_t i = 0; i < cells.size(); ++i)
+          EXPECT_TRUE(rows.back().emplace(titles[i], cells[i]).second)
+            << "twice: " << titles[i];
+      }
+    return rows;
+  }
+} // namespace
+
+
+TEST(Report, tables_and_json_say_the_same)
+{
+  const TemporaryFolder folder;
+  const Campaign        c = make_campaign();
+  AnalysisParameters    parameters;
+  parameters.risk.distribution        = "Gumbel";
+  parameters.risk.location            = 3.;
+  parameters.risk.scale               = 0.3;
+  parameters.risk.allowed_probability = 0.01;
+  parameters.risk.consequence         = 1e8;
+  parameters.risk.factor_of_safety    = 1.3;
+  parameters.risk.strength_cov        = 0.2;
+  write_report(c.info, c.records, parameters, folder.path);
+
+  for (const std::string &name : tables)
+    EXPECT_GT(read_table(folder.path, name).size(), 2U) << name;
+
+  const auto json =
+    nlohmann::json::parse(read_file(join_path(folder.path, "report.json")));
+  const auto rows = read_table(folder.path, "probabilities");
+  const auto tree = read_table(folder.path, "event_tree");
+  ASSERT_EQ(rows.size(), 3U);
+  for (unsigned int s = 0; s < 3; ++s)
+    {
+      const auto &scenario = json["scenarios"][s];
+      const auto &flooding = scenario["by_geometry"]["P_F"];
+      EXPECT_EQ(scenario["n"], 399);
+      EXPECT_EQ(scenario["n_numerical_failure"], 1);
+      EXPECT_EQ(std::stoi(rows[s].at("n_F")), flooding["count"]);
+      EXPECT_NEAR(std::stod(rows[s].at("P_F_high")), flooding["high"], 1e-11);
+      // the tree, fed with the slides found, is the direct count
+      EXPECT_NEAR(scenario["event_tree"]["probability"].get<double>(),
+                  flooding["estimate"].get<double>(),
+                  1e-14);
+      EXPECT_EQ(scenario["event_tree"]["critical_slide"], 2);
+      double last = 0.;
+      for (const auto &row : tree)
+        if (row.at("scenario") == std::to_string(s))
+          last = std::stod(row.at("cumulative"));
+      EXPECT_NEAR(last, flooding["estimate"], 1e-11);
+    }
+
+  // classes: all realisations that count
+  unsigned int n = 0;
+  for (const auto &row : read_table(folder.path, "classes"))
+    n += std::stoi(row.at("count"));
+  EXPECT_EQ(n, 3U * 399U);
+
+  const auto &yearly = json["yearly"];
+  EXPECT_LT(yearly["P_F"]["low"], yearly["P_F"]["estimate"]);
+  EXPECT_LT(yearly["P_F"]["estimate"],
+            json["scenarios"][0]["by_geometry"]["P_F"]["estimate"]);
+  EXPECT_NEAR(yearly["risk"]["risk_euro"]["high"].get<double>(),
+              1e8 * yearly["P_F"]["high"].get<double>(),
+              1e-3);
+  EXPECT_EQ(yearly["risk"]["macro_instability"]["verdict"], "not met");
+  EXPECT_NEAR(json["point_statistics"]["P_factor_below_1"], 0.1243, 5e-5);
+  EXPECT_FALSE(json["notes"].empty());
+  EXPECT_EQ(read_table(folder.path, "fragility")[0].at("freeboard"), "1.25");
+  EXPECT_EQ(
+    read_table(folder.path, "residual_resistance_width").back().at("scenario"),
+    "all");
+}
+
+
+TEST(Report, does_not_depend_on_the_order_of_records)
+{
+  const TemporaryFolder one, two;
+  Campaign              c = make_campaign();
+  write_report(c.info, c.records, AnalysisParameters(), one.path);
+  for (auto &records : c.records)
+    std::shuffle(records.begin(), records.end(), std::mt19937(2));
+  write_report(c.info, c.records, AnalysisParameters(), two.path);
+  for (const std::string &name : tables)
+    EXPECT_EQ(read_file(join_path(one.path, name + ".csv")),
+              read_file(join_path(two.path, name + ".csv")));
+  EXPECT_EQ(read_file(join_path(one.path, "report.json")),
+            read_file(join_path(two.path, "report.json")));
+}
+
+
+TEST(Report, of_a_campaign_without_results)
+{
+  const TemporaryFolder folder;
+  CampaignInfo          info;
+  info.scenarios.resize(1);
+  write_report(info, {{}}, AnalysisParameters(), folder.path);
+  EXPECT_EQ(read_table(folder.path, "probabilities")[0].at("P_F"), "nan");
+  EXPECT_TRUE(read_table(folder.path, "fragility").empty());
+  const auto json =
+    nlohmann::json::parse(read_file(join_path(folder.path, "report.json")));
+  EXPECT_TRUE(json["scenarios"][0]["by_geometry"]["P_F"]["estimate"].is_null());
+  EXPECT_TRUE(json["yearly"].is_null());
+  EXPECT_NE(
+    report_text(info, {{}}, AnalysisParameters()).find("no realisation"),
+    std::string::npos);
+}
+
+
+TEST(Report, text_for_people)
+{
+  const Campaign    c    = make_campaign();
+  const std::string text = report_text(c.info, c.records, AnalysisParameters());
+  for (const char *const part : {"Water/Level = 4.75",
+                                 "P(F|S1)",
+                                 " of 399",
+                                 "retrogressive, flooded",
+                                 "1 numerical failure"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << '\n' << text;
+  EXPECT_NE(text.back(), '\n');
+}
+
+
+TEST(Report, level_table_is_read_before_anything_is_written)
+{
+  const TemporaryFolder folder;
+  const Campaign        c = make_campaign();
+  AnalysisParameters    parameters;
+  parameters.risk.distribution = "table";
+  parameters.risk.level_table  = join_path(folder.path, "levels.csv");
+  try
+    {
+      write_report(c.info, c.records, parameters, folder.path);
+      FAIL();
+    }
+  catch (const UserError &error)
+    {
+      EXPECT_EQ(error.where, "Risk/Level table");
+    }
+  EXPECT_ANY_THROW(read_file(join_path(folder.path, "classes.csv")));
+
+  write_file(parameters.risk.level_table,
+             "level,probability\n3.9,0.1\n4.4,0.01\n");
+  write_report(c.info, c.records, parameters, folder.path);
+  const auto json =
+    nlohmann::json::parse(read_file(join_path(folder.path, "report.json")));
+  EXPECT_EQ(json["notes"].size(), 2U); // constant outside; table too short
+}
+
+
+TEST(Report, cells_with_commas_are_quoted)
+{
+  Campaign c                = make_campaign();
+  c.info.scenarios[0].value = "a, \"b\"";
+  const auto scenarios      = analyse(c.info, c.records, AnalysisParameters());
+  const std::string text    = ReportTables::probabilities(scenarios);
+  EXPECT_NE(text.find("\n0,\"a, \"\"b\"\"\",399,"), std::string::npos);
+}
