@@ -59,6 +59,10 @@ namespace WakerBenchmarks
   /// The weak dyke as it is, from t = 0 to flooding, without output.
   void
   register_weak_dyke();
+
+  /// Realisations of the base case of chapter 5.
+  void
+  register_campaign();
 } // namespace WakerBenchmarks
 
 #endif

@@ -20,6 +20,7 @@ main(int argc, char **argv)
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
   register_weak_dyke();
+  register_campaign();
   register_steps<2>(Size::small);
   register_kernels<2>(Size::small);
   register_steps<2>(Size::large);

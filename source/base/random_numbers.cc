@@ -234,7 +234,7 @@ namespace Waker
             const Generator::ctr_type bits = generator(counter, seed);
             if (number % 2 == 0)
               values[i++] = open_unit_interval(bits[0], bits[1]);
-            if (i < end && (first + i) % 2 == 1)
+            if (i < end)
               values[i++] = open_unit_interval(bits[2], bits[3]);
           }
         quantiles(end - begin, values + begin);

@@ -3,6 +3,7 @@
 
 #include <waker/base/errors.h>
 #include <waker/fields/correlation.h>
+#include <waker/fields/ellipsoidal_moments.h>
 
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
@@ -16,32 +17,6 @@ namespace Waker
   namespace
   {
     const double pi = boost::math::constants::pi<double>();
-
-    /// Points and weights on [0, 1].
-    struct Rule
-    {
-      std::vector<double> point, weight;
-    };
-
-
-    template <unsigned int n>
-    Rule
-    gauss()
-    {
-      // Boost gives the points x >= 0 of [-1, 1].
-      const auto &x = boost::math::quadrature::gauss<double, n>::abscissa();
-      const auto &w = boost::math::quadrature::gauss<double, n>::weights();
-      Rule        rule;
-      for (std::size_t i = 0; i < x.size(); ++i)
-        for (const double sign : {-1., 1.})
-          if (sign > 0. || x[i] > 0.)
-            {
-              rule.point.push_back(0.5 + 0.5 * sign * x[i]);
-              rule.weight.push_back(0.5 * w[i]);
-            }
-      return rule;
-    }
-
 
     /// Averages over two cells of a field along a line, correlation
     /// exp(-|x|), cells of length a, k cells apart.
@@ -64,16 +39,13 @@ namespace Waker
       if (b < 4.)
         {
           // The closed form subtracts nearly equal numbers here.
-          static const Rule rule = gauss<20>();
-          double            sum  = 0.;
-          for (unsigned int i = 0; i < rule.point.size(); ++i)
-            {
-              const double s = rule.point[i];
-              sum += rule.weight[i] * (1. - s) *
-                     (std::exp(-b * b * (k + s) * (k + s)) +
-                      std::exp(-b * b * (k - s) * (k - s)));
-            }
-          return sum;
+          return boost::math::quadrature::gauss<double, 20>::integrate(
+            [&](const double t) {
+              return (1. - t) * (std::exp(-b * b * (k + t) * (k + t)) +
+                                 std::exp(-b * b * (k - t) * (k - t)));
+            },
+            0.,
+            1.);
         }
       // Second difference of the second antiderivative, whose linear part
       // only counts in k = 0.
@@ -85,122 +57,6 @@ namespace Waker
       return (k == 0 ? root_pi / b : 0.) + rest(k + 1) - 2. * rest(k) +
              rest(k - 1);
     }
-
-
-    /**
-     * The eight (2^dim) integrals over a unit box of lags, first corner j, of
-     *   prod w_d(t_d) exp(-|a (j + t)|), w = 1 - t (bit d of m is 0) or t (1),
-     * for the ellipsoidal Markov correlation; a = 2 cell size / theta. The
-     * covariance of two cells is a sum over the 2^dim boxes that meet at
-     * their lag.
-     */
-    class EllipsoidalMoments
-    {
-    public:
-      EllipsoidalMoments(const unsigned int dim, const std::array<double, 3> &a)
-        : dim(dim)
-        , a(a)
-      {}
-
-      std::array<double, 8>
-      operator()(const std::array<int, 3> &box) const
-      {
-        std::array<double, 8> moments{};
-        add({{0., 0., 0.}}, {{1., 1., 1.}}, box, moments);
-        return moments;
-      }
-
-    private:
-      unsigned int          dim;
-      std::array<double, 3> a;
-
-      /// Adds the integrals over the part [low, low + length] of the unit box.
-      void
-      add(const std::array<double, 3> &low,
-          const std::array<double, 3> &length,
-          const std::array<int, 3>    &box,
-          std::array<double, 8>       &moments) const
-      {
-        double       distance = 0., size = 0., volume = 1.;
-        unsigned int longest = 0;
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            const double x = a[d] * (box[d] + low[d]);
-            distance += x * x;
-            if (a[d] * length[d] > size)
-              {
-                size    = a[d] * length[d];
-                longest = d;
-              }
-            volume *= length[d];
-          }
-        distance = std::sqrt(distance);
-        if (distance > 50.) // exp(-50) = 2e-22
-          return;
-
-        // The correlation has a kink at the origin: halve boxes that are
-        // larger than their distance from it, or that are long compared with
-        // the scale of fluctuation. A box at the origin ends as a tiny one.
-        if ((size > distance || size > 4.) && !(volume * size < 1e-11))
-          {
-            std::array<double, 3> half = length, middle = low;
-            half[longest] *= 0.5;
-            middle[longest] += half[longest];
-            add(low, half, box, moments);
-            add(middle, half, box, moments);
-            return;
-          }
-
-        // Error below 1e-10: see the convergence of Gauss's rule in a Bernstein
-        // ellipse through the singularity at `distance`.
-        static const Rule rule3 = gauss<3>(), rule4 = gauss<4>(),
-                          rule6 = gauss<6>(), rule8 = gauss<8>();
-        const Rule &rule = size < 0.1 && 32. * size < distance  ? rule3
-                           : size < 0.8 && 8. * size < distance ? rule4
-                           : size < 2. && 2. * size < distance  ? rule6
-                                                                : rule8;
-
-        const unsigned int                   n = rule.point.size();
-        std::array<std::array<double, 8>, 3> square{}, w0{}, w1{};
-        for (unsigned int d = 0; d < 3; ++d)
-          for (unsigned int i = 0; i < n; ++i)
-            {
-              const double t = low[d] + length[d] * rule.point[i];
-              const double x = d < dim ? a[d] * (box[d] + t) : 0.;
-              square[d][i]   = x * x;
-              w0[d][i]       = length[d] * rule.weight[i] * (1. - t);
-              w1[d][i]       = length[d] * rule.weight[i] * t;
-            }
-        for (unsigned int k = 0; k < (dim > 2 ? n : 1); ++k)
-          {
-            std::array<double, 4> plane{};
-            for (unsigned int j = 0; j < (dim > 1 ? n : 1); ++j)
-              {
-                double sum0 = 0., sum1 = 0.;
-                for (unsigned int i = 0; i < n; ++i)
-                  {
-                    const double rho = std::exp(
-                      -std::sqrt(square[0][i] + square[1][j] + square[2][k]));
-                    sum0 += w0[0][i] * rho;
-                    sum1 += w1[0][i] * rho;
-                  }
-                const double u0 = dim > 1 ? w0[1][j] : 1.;
-                const double u1 = dim > 1 ? w1[1][j] : 0.;
-                plane[0] += u0 * sum0;
-                plane[1] += u0 * sum1;
-                plane[2] += u1 * sum0;
-                plane[3] += u1 * sum1;
-              }
-            const double v0 = dim > 2 ? w0[2][k] : 1.;
-            const double v1 = dim > 2 ? w1[2][k] : 0.;
-            for (unsigned int m = 0; m < 4; ++m)
-              {
-                moments[m] += v0 * plane[m];
-                moments[4 + m] += v1 * plane[m];
-              }
-          }
-      }
-    };
   } // namespace
 
 
@@ -303,7 +159,8 @@ namespace Waker
                      const std::array<unsigned int, 3> &n) const
   {
     const unsigned int  dim = theta.size();
-    std::vector<double> values(static_cast<std::size_t>(n[0]) * n[1] * n[2], 0.);
+    std::vector<double> values(static_cast<std::size_t>(n[0]) * n[1] * n[2],
+                               0.);
     const auto          number = [&](const std::array<int, 3> &i) {
       return i[0] + std::size_t(n[0]) * (i[1] + std::size_t(n[1]) * i[2]);
     };

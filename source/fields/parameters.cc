@@ -17,37 +17,39 @@ namespace Waker
                       "Name of the material whose points get the field. Empty: "
                       "the only material there is.",
                       Patterns::Anything());
-    prm.add_parameter("Property",
-                      property,
-                      "The property that varies. A field of the undrained shear "
-                      "strength takes the residual strength with it, in the "
-                      "ratio that the material has (fully correlated), unless "
-                      "that has a field of its own.",
-                      Patterns::Selection(
-                        "undrained shear strength|residual strength"));
+    prm.add_parameter(
+      "Property",
+      property,
+      "The property that varies. A field of the undrained shear "
+      "strength takes the residual strength with it, in the "
+      "ratio that the material has (fully correlated), unless "
+      "that has a field of its own.",
+      Patterns::Selection("undrained shear strength|residual strength"));
     prm.add_parameter("Mean",
                       mean,
                       "Mean (kPa): a number, or an expression of x, y, z (m), "
                       "for example \"5 + 1.5*(5 - y)\". Empty: the material's "
                       "own value.",
                       Patterns::Anything());
-    prm.add_parameter("Coefficient of variation",
-                      coefficient_of_variation,
-                      "Standard deviation divided by the mean of the place (-), "
-                      "0 or more.",
-                      Patterns::Double(0.));
+    prm.add_parameter(
+      "Coefficient of variation",
+      coefficient_of_variation,
+      "Standard deviation divided by the mean of the place (-), "
+      "0 or more.",
+      Patterns::Double(0.));
     prm.add_parameter("Standard deviation",
                       standard_deviation,
                       "Above 0: standard deviation (kPa), the same everywhere, "
                       "instead of the coefficient of variation.",
                       Patterns::Double(0.));
-    prm.add_parameter("Statistics of",
-                      statistics,
-                      "What the standard deviation belongs to: the cells, which "
-                      "are averages, or the points of the field. Averaging "
-                      "reduces that of the points (0.20 becomes 0.185 for the "
-                      "dyke of chapter 5).",
-                      Patterns::Selection("cells|points"));
+    prm.add_parameter(
+      "Statistics of",
+      statistics,
+      "What the standard deviation belongs to: the cells, which "
+      "are averages, or the points of the field. Averaging "
+      "reduces that of the points (0.20 becomes 0.185 for the "
+      "dyke of chapter 5).",
+      Patterns::Selection("cells|points"));
     prm.add_parameter("Distribution",
                       distribution,
                       "\"normal\" and \"lognormal\" are cut off at the limits, "
@@ -63,23 +65,25 @@ namespace Waker
                       maximum,
                       "Largest value (kPa).",
                       Patterns::Double(0.));
-    prm.add_parameter("Correlation function",
-                      correlation,
-                      "\"Markov\": exp(-2 r), r from lags divided by scales "
-                      "(ellipsoidal); \"separable Markov\": a product of one per "
-                      "direction; \"Gaussian\": exp(-pi r^2).",
-                      Patterns::Selection("Markov|separable Markov|Gaussian"));
+    prm.add_parameter(
+      "Correlation function",
+      correlation,
+      "\"Markov\": exp(-2 r), r from lags divided by scales "
+      "(ellipsoidal); \"separable Markov\": a product of one per "
+      "direction; \"Gaussian\": exp(-pi r^2).",
+      Patterns::Selection("Markov|separable Markov|Gaussian"));
     prm.add_parameter("Scales of fluctuation",
                       scales,
                       "Horizontal and vertical scale (m), above 0; in 3D those "
                       "along x, y (vertical) and z.",
                       Patterns::List(Patterns::Double(0.), 1, 3));
-    prm.add_parameter("Cell size",
-                      cell_size,
-                      "Size of the field's cells (m), one number per direction. "
-                      "Empty: that of the points' support domains, one cell per "
-                      "point.",
-                      Patterns::List(Patterns::Double(0.), 0, 3));
+    prm.add_parameter(
+      "Cell size",
+      cell_size,
+      "Size of the field's cells (m), one number per direction. "
+      "Empty: that of the points' support domains, one cell per "
+      "point.",
+      Patterns::List(Patterns::Double(0.), 0, 3));
     prm.add_parameter("Generator",
                       generator,
                       "\"circulant embedding\": exact, fast. \"local average "
@@ -87,12 +91,13 @@ namespace Waker
                       "variance. \"Cholesky\": exact, for small fields.",
                       Patterns::Selection("circulant embedding|local average "
                                           "subdivision|Cholesky"));
-    prm.add_parameter("Measurements",
-                      measurements,
-                      "File of measured values, one \"x, y, value\" (3D: \"x, y, "
-                      "z, value\"; m, kPa) a line: every realisation has them "
-                      "there. Empty: none.",
-                      Patterns::Anything());
+    prm.add_parameter(
+      "Measurements",
+      measurements,
+      "File of measured values, one \"x, y, value\" (3D: \"x, y, "
+      "z, value\"; m, kPa) a line: every realisation has them "
+      "there. Empty: none.",
+      Patterns::Anything());
     prm.add_parameter("Measurement error",
                       measurement_error,
                       "Standard deviation of the measurements, as a share of "
@@ -142,14 +147,15 @@ namespace Waker
   void
   RandomFieldsParameters::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter("Correlations",
-                      correlations,
-                      "Correlation of the normal scores of two fields at the "
-                      "same place, \"a, b: 0.5; a, c: -0.2\", -1 to 1; those not "
-                      "named are independent. Correlated fields must have the "
-                      "same correlation function, scales, cells, generator and "
-                      "statistics.",
-                      Patterns::Anything());
+    prm.add_parameter(
+      "Correlations",
+      correlations,
+      "Correlation of the normal scores of two fields at the "
+      "same place, \"a, b: 0.5; a, c: -0.2\", -1 to 1; those not "
+      "named are independent. Correlated fields must have the "
+      "same correlation function, scales, cells, generator and "
+      "statistics.",
+      Patterns::Anything());
   }
 
 
@@ -160,8 +166,8 @@ namespace Waker
     {
       const auto begin = text.find_first_not_of(" \t");
       const auto end   = text.find_last_not_of(" \t");
-      return begin == std::string::npos ? "" :
-                                          text.substr(begin, end - begin + 1);
+      return begin == std::string::npos ? ""
+                                        : text.substr(begin, end - begin + 1);
     }
   } // namespace
 
@@ -175,10 +181,11 @@ namespace Waker
       matrix[i * n + i] = 1.;
 
     const auto refuse = [](const std::string &problem) {
-      throw UserError("Random fields/Correlations",
-                      problem,
-                      "\"a, b: 0.5; ...\" with two names of fields and a number "
-                      "from -1 to 1, each pair once");
+      throw UserError(
+        "Random fields/Correlations",
+        problem,
+        "\"a, b: 0.5; ...\" with two names of fields and a number "
+        "from -1 to 1, each pair once");
     };
     const auto number = [&](const std::string &field) {
       for (std::size_t i = 0; i < n; ++i)
@@ -193,8 +200,9 @@ namespace Waker
       {
         const std::size_t end =
           std::min(correlations.find(';', begin), correlations.size());
-        const std::string item = trimmed(correlations.substr(begin, end - begin));
-        begin                  = end + 1;
+        const std::string item =
+          trimmed(correlations.substr(begin, end - begin));
+        begin = end + 1;
         if (item.empty())
           continue;
         const std::size_t comma = item.find(','), colon = item.rfind(':');
@@ -210,7 +218,8 @@ namespace Waker
         if (value.empty() || *rest != 0 || !(rho >= -1. && rho <= 1.))
           refuse("contains \"" + item + "\"");
         if (a == b || matrix[a * n + b] != 0.)
-          refuse("gives the pair \"" + item + "\" twice, or a field with itself");
+          refuse("gives the pair \"" + item +
+                 "\" twice, or a field with itself");
         matrix[a * n + b] = matrix[b * n + a] = rho;
       }
     return matrix;
@@ -229,7 +238,7 @@ namespace Waker
       for (std::size_t j = 0; j < i; ++j)
         {
           const RandomFieldParameters &a = fields[j], &b = fields[i];
-          const bool same_target =
+          const bool                   same_target =
             a.material == b.material && a.property == b.property;
           if (same_target)
             throw UserError("Random fields/" + b.name + "/Property",

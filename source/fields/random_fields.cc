@@ -24,8 +24,8 @@ namespace Waker
             for (std::size_t k = 0; k < j; ++k)
               rest -= L[i * n + k] * L[j * n + k];
             const bool impossible =
-              i == j ? rest < -round_off :
-                       L[j * n + j] == 0. && std::abs(rest) > round_off;
+              i == j ? rest < -round_off
+                     : L[j * n + j] == 0. && std::abs(rest) > round_off;
             if (impossible)
               throw UserError("Random fields/Correlations",
                               "are not those of any set of numbers",
@@ -55,7 +55,8 @@ namespace Waker
         field.name    = p.name;
         field.lattice = lattices[f];
         field.gamma   = correlation.between_cells(lattices[f].cell_size, {});
-        field.scale   = p.statistics == "cells" ? 1. / std::sqrt(field.gamma) : 1.;
+        field.scale =
+          p.statistics == "cells" ? 1. / std::sqrt(field.gamma) : 1.;
         field.generator =
           make_field_generator(p.generator, lattices[f], correlation, path);
         total_noise += field.generator->n_noise();
@@ -68,13 +69,14 @@ namespace Waker
               measured.push_back({m.cell, score(f, m.position, m.value)});
             const double variance =
               field.gamma * field.scale * field.scale; // of the cells' scores
-            field.conditioning = std::make_unique<Conditioning>(
-              lattices[f],
-              correlation,
-              measured,
-              variance,
-              p.measurement_error * p.measurement_error * variance,
-              path);
+            field.conditioning =
+              std::make_unique<Conditioning>(lattices[f],
+                                             correlation,
+                                             measured,
+                                             variance,
+                                             p.measurement_error *
+                                               p.measurement_error * variance,
+                                             path);
             total_noise += field.conditioning->n_noise();
           }
         fields.push_back(std::move(field));
@@ -95,11 +97,10 @@ namespace Waker
   {
     std::vector<std::string> lines;
     for (const Field &field : fields)
-      lines.push_back("Random field \"" + field.name +
-                      "\": " + field.generator->description() +
-                      (field.conditioning ?
-                         ", " + field.conditioning->description() :
-                         ""));
+      lines.push_back(
+        "Random field \"" + field.name +
+        "\": " + field.generator->description() +
+        (field.conditioning ? ", " + field.conditioning->description() : ""));
     return lines;
   }
 

@@ -137,9 +137,13 @@ namespace Waker
         const PointWeights<dim> &w  = weights[p];
         const Tensor<1, dim>     du = stencil.value(w, increment);
         const Tensor<1, dim>     a  = stencil.value(w, acceleration);
+        report.kinetic_before +=
+          0.5 * points.mass[p] * points.velocity[p].norm_square();
         points.position[p] += du;
         points.velocity[p] += (0.5 * dt) * (points.acceleration[p] + a);
         points.acceleration[p] = a;
+        report.kinetic_after +=
+          0.5 * points.mass[p] * points.velocity[p].norm_square();
 
         const double square = du.norm_square();
         report.squared_displacement += points.mass[p] * square;

@@ -3,6 +3,26 @@
 
 namespace Waker
 {
+  namespace
+  {
+    void
+    get_point(const Material::Block &block,
+              const unsigned int     l,
+              SymmetricTensor<2, 3> &strain,
+              SymmetricTensor<2, 3> &stress,
+              std::vector<double>   &variables)
+    {
+      for (unsigned int a = 0; a < 6; ++a)
+        {
+          strain.access_raw_entry(a) = block.strain_increment[a][l];
+          stress.access_raw_entry(a) = block.stress[a][l];
+        }
+      for (unsigned int v = 0; v < variables.size(); ++v)
+        variables[v] = block.variables[v][l];
+    }
+  } // namespace
+
+
   void
   Material::update_block(const unsigned int n_points, Block &block) const
   {
@@ -11,19 +31,35 @@ namespace Waker
     SymmetricTensor<2, 3> strain, stress;
     for (unsigned int l = 0; l < n_points; ++l)
       {
-        for (unsigned int a = 0; a < 6; ++a)
-          {
-            strain.access_raw_entry(a) = block.strain_increment[a][l];
-            stress.access_raw_entry(a) = block.stress[a][l];
-          }
-        for (unsigned int v = 0; v < n_variables; ++v)
-          point_variables[v] = block.variables[v][l];
+        get_point(block, l, strain, stress, point_variables);
         block.dissipation[l] =
           update(strain, stress, point_variables.data(), nullptr);
         for (unsigned int a = 0; a < 6; ++a)
           block.stress[a][l] = stress.access_raw_entry(a);
         for (unsigned int v = 0; v < n_variables; ++v)
           block.variables[v][l] = point_variables[v];
+      }
+  }
+
+
+  void
+  Material::tangent_block(const unsigned int  n_points,
+                          Block              &block,
+                          const unsigned int  n_components,
+                          const unsigned int *components,
+                          double (*tangent)[block_size]) const
+  {
+    std::vector<double>   point_variables(variables().size());
+    SymmetricTensor<2, 3> strain, stress;
+    SymmetricTensor<4, 3> C;
+    for (unsigned int l = 0; l < n_points; ++l)
+      {
+        get_point(block, l, strain, stress, point_variables);
+        update(strain, stress, point_variables.data(), &C);
+        for (unsigned int a = 0; a < n_components; ++a)
+          for (unsigned int b = 0; b < n_components; ++b)
+            tangent[n_components * a + b][l] =
+              C.access_raw_entry(6 * components[a] + components[b]);
       }
   }
 } // namespace Waker

@@ -138,6 +138,10 @@ namespace Waker
 
     const double lambda = K - 2. / 3. * G, two_G = 2. * G, three_G = 3. * G;
     const double slope = sqrt_3 * softening, factor = plastic_strain_factor;
+    // Divisions are what such a loop costs: it has one, and one root.
+    const double third = 1. / 3., softening_per_multiplier = slope / sqrt_3;
+    const double per_elastic   = 1. / three_G,
+                 per_softening = 1. / (three_G + slope);
 #pragma GCC ivdep
     for (unsigned int l = 0; l < block_size; ++l)
       {
@@ -148,7 +152,7 @@ namespace Waker
         const double xy      = s3[l] + two_G * e3[l];
         const double xz      = s4[l] + two_G * e4[l];
         const double yz      = s5[l] + two_G * e5[l];
-        const double p       = (xx + yy + zz) / 3.;
+        const double p       = (xx + yy + zz) * third;
         const double squared = (xx - p) * (xx - p) + (yy - p) * (yy - p) +
                                (zz - p) * (zz - p) +
                                2. * (xy * xy + xz * xz + yz * yz);
@@ -158,13 +162,15 @@ namespace Waker
         const bool   yields = squared > 2. * c_old * c_old;
         const double q      = std::sqrt(yields ? 1.5 * squared : 1.);
 
-        const double hardening   = c_old > c_r ? slope : 0.;
-        const double first       = (q - sqrt_3 * c_old) / (three_G + hardening);
-        const double c_new       = c_old + hardening / sqrt_3 * first;
+        const bool   softens = c_old > c_r;
+        const double first =
+          (q - sqrt_3 * c_old) * (softens ? per_softening : per_elastic);
+        const double c_new =
+          c_old + (softens ? softening_per_multiplier : 0.) * first;
         const bool   at_residual = c_new < c_r;
         const double c           = at_residual ? c_r : c_new;
         const double multiplier =
-          at_residual ? (q - sqrt_3 * c_r) / three_G : first;
+          at_residual ? (q - sqrt_3 * c_r) * per_elastic : first;
         const double scale = yields ? sqrt_3 * c / q : 1.;
 
         s0[l]          = scale * (xx - p) + p;
@@ -177,5 +183,84 @@ namespace Waker
         plastic[l]     = plastic[l] + (yields ? factor * multiplier : 0.);
         dissipation[l] = yields ? sqrt_3 * c * multiplier : 0.;
       }
+  }
+
+
+  void
+  VonMisesSoftening::tangent_block(const unsigned int,
+                                   Block              &block,
+                                   const unsigned int  n_components,
+                                   const unsigned int *components,
+                                   double (*tangent)[block_size]) const
+  {
+    // As update(), without branches: the deviator of the trial stress, and
+    // the factors of the terms of the tangent.
+    double(*const e)[block_size] = block.strain_increment;
+    double(*const s)[block_size] = block.stress;
+    const double *const strength = block.variables[0];
+    const double *const residual = block.variables[1];
+    double              share[block_size], factor[block_size];
+    const double lambda = K - 2. / 3. * G, two_G = 2. * G, three_G = 3. * G;
+    const double slope = sqrt_3 * softening;
+    const double third = 1. / 3., softening_per_multiplier = slope / sqrt_3;
+    const double per_elastic   = 1. / three_G,
+                 per_softening = 1. / (three_G + slope);
+#pragma GCC ivdep
+    for (unsigned int l = 0; l < block_size; ++l)
+      {
+        const double add = lambda * (e[0][l] + e[1][l] + e[2][l]);
+        const double xx  = s[0][l] + two_G * e[0][l] + add;
+        const double yy  = s[1][l] + two_G * e[1][l] + add;
+        const double zz  = s[2][l] + two_G * e[2][l] + add;
+        const double xy  = s[3][l] + two_G * e[3][l];
+        const double xz  = s[4][l] + two_G * e[4][l];
+        const double yz  = s[5][l] + two_G * e[5][l];
+        const double p   = (xx + yy + zz) * third;
+
+        s[0][l]              = xx - p;
+        s[1][l]              = yy - p;
+        s[2][l]              = zz - p;
+        s[3][l]              = xy;
+        s[4][l]              = xz;
+        s[5][l]              = yz;
+        const double squared = (xx - p) * (xx - p) + (yy - p) * (yy - p) +
+                               (zz - p) * (zz - p) +
+                               2. * (xy * xy + xz * xz + yz * yz);
+
+        const double c_old   = strength[l];
+        const double c_r     = std::min(residual[l], c_old);
+        const bool   yields  = squared > 2. * c_old * c_old;
+        const double q       = std::sqrt(yields ? 1.5 * squared : 1.);
+        const double per_q   = 1. / q;
+        const bool   softens = c_old > c_r;
+        const double first =
+          (q - sqrt_3 * c_old) * (softens ? per_softening : per_elastic);
+        const double c_new =
+          c_old + (softens ? softening_per_multiplier : 0.) * first;
+        const bool   at_residual = c_new < c_r;
+        const double c           = at_residual ? c_r : c_new;
+        const double hardening =
+          softens && !at_residual ? slope * per_softening : 0.;
+        const double scale = sqrt_3 * c * per_q;
+        share[l]           = yields ? scale : 1.;
+        // n x n = s x s / s:s, with q^2 = 3/2 s:s.
+        factor[l] =
+          yields ? two_G * (scale - hardening) * 1.5 * per_q * per_q : 0.;
+      }
+
+    for (unsigned int a = 0; a < n_components; ++a)
+      for (unsigned int b = 0; b < n_components; ++b)
+        {
+          const unsigned int  i = components[a], j = components[b];
+          const double        C = elastic_tangent.access_raw_entry(6 * i + j);
+          const double        bulk = i < 3 && j < 3 ? K : 0.;
+          const double *const s_i  = s[i];
+          const double *const s_j  = s[j];
+          double *const       D    = tangent[n_components * a + b];
+#pragma GCC ivdep
+          for (unsigned int l = 0; l < block_size; ++l)
+            D[l] = share[l] * C + (1. - share[l]) * bulk -
+                   factor[l] * s_i[l] * s_j[l];
+        }
   }
 } // namespace Waker

@@ -2,46 +2,13 @@
 #include <waker/mapping/stencil.h>
 #include <waker/mechanics/consistent_tangent.h>
 
+#include <algorithm>
+
 namespace Waker
 {
   namespace
   {
-    /// P = A : H, the change of V stress.
-    inline Tensor<2, 2>
-    apply(const StressUpdate<2>::PointTangent &t, const Tensor<2, 2> &H)
-    {
-      double s[3];
-      for (unsigned int a = 0; a < 3; ++a)
-        s[a] = t.A[a][0] * H[0][0] + t.A[a][1] * H[0][1] + t.A[a][2] * H[1][0] +
-               t.A[a][3] * H[1][1];
-      Tensor<2, 2> P;
-      P[0][0] = s[0];
-      P[1][1] = s[1];
-      P[0][1] = P[1][0] = s[2];
-      return P;
-    }
-
-
-    inline Tensor<2, 3>
-    apply(const StressUpdate<3>::PointTangent &t, const Tensor<2, 3> &H)
-    {
-      double s[6];
-      for (unsigned int a = 0; a < 6; ++a)
-        {
-          s[a] = 0.;
-          for (unsigned int c = 0; c < 3; ++c)
-            for (unsigned int d = 0; d < 3; ++d)
-              s[a] += t.A[a][3 * c + d] * H[c][d];
-        }
-      Tensor<2, 3> P;
-      P[0][0] = s[0];
-      P[1][1] = s[1];
-      P[2][2] = s[2];
-      P[0][1] = P[1][0] = s[3];
-      P[0][2] = P[2][0] = s[4];
-      P[1][2] = P[2][1] = s[5];
-      return P;
-    }
+    constexpr std::size_t N = Material::block_size;
 
 
     /// Row of the stress (c, d) in A.
@@ -57,6 +24,7 @@ namespace Waker
   template <int dim>
   ConsistentTangent<dim>::ConsistentTangent(const Weights<dim> &weights)
     : weights(&weights)
+    , diagonal(weights.background_grid().n_dofs())
   {}
 
 
@@ -65,7 +33,40 @@ namespace Waker
   ConsistentTangent<dim>::reinit(const StressUpdate<dim>   &stress_update,
                                  const MaterialPoints<dim> &points)
   {
-    stress_update.tangents(points, tangents);
+    // The diagonal goes along, while a block's tangents are at hand.
+    const Stencil<dim> stencil(weights->background_grid());
+    diagonal = 0.;
+    tangents.resize((points.n_points() + N - 1) / N);
+    for (std::size_t b = 0; b < tangents.size(); ++b)
+      {
+        stress_update.tangent(points, b, tangents[b]);
+        const auto       &A        = tangents[b].A;
+        const std::size_t n_points = std::min(N, points.n_points() - b * N);
+        for (unsigned int l = 0; l < n_points; ++l)
+          {
+            // C[c]: what A does to one component alone.
+            Tensor<2, dim> C[dim];
+            for (unsigned int c = 0; c < dim; ++c)
+              for (unsigned int d = 0; d < dim; ++d)
+                for (unsigned int e = 0; e < dim; ++e)
+                  C[c][d][e] = A[row<dim>(c, d)][dim * c + e][l];
+            stencil.scatter_quadratic((*weights)[b * N + l],
+                                      C,
+                                      diagonal.begin());
+          }
+      }
+  }
+
+
+  template <int dim>
+  void
+  ConsistentTangent<dim>::point_tangent(
+    const std::size_t p,
+    double (&A)[dim * (dim + 1) / 2][dim * dim]) const
+  {
+    for (unsigned int a = 0; a < dim * (dim + 1) / 2; ++a)
+      for (unsigned int k = 0; k < dim * dim; ++k)
+        A[a][k] = tangents[p / N].A[a][k][p % N];
   }
 
 
@@ -73,35 +74,53 @@ namespace Waker
   void
   ConsistentTangent<dim>::vmult(NodalVector &dst, const NodalVector &src) const
   {
-    const Stencil<dim>  stencil(weights->background_grid());
-    const double *const u = src.begin();
-    dst                   = 0.;
-    double *const f       = dst.begin();
-    for (std::size_t p = 0; p < tangents.size(); ++p)
-      stencil.scatter_gradient((*weights)[p],
-                               apply(tangents[p],
-                                     stencil.gradient((*weights)[p], u)),
-                               f);
+    constexpr unsigned int n_stresses = dim * (dim + 1) / 2;
+    const Stencil<dim>     stencil(weights->background_grid());
+    const double *const    u = src.begin();
+    dst                      = 0.;
+    double *const f          = dst.begin();
+
+    double H[dim * dim][N] = {}, s[n_stresses][N];
+    for (std::size_t begin = 0; begin < weights->size(); begin += N)
+      {
+        const std::size_t n_points = std::min(N, weights->size() - begin);
+        for (unsigned int l = 0; l < n_points; ++l)
+          {
+            const Tensor<2, dim> gradient =
+              stencil.gradient((*weights)[begin + l], u);
+            for (unsigned int c = 0; c < dim; ++c)
+              for (unsigned int d = 0; d < dim; ++d)
+                H[dim * c + d][l] = gradient[c][d];
+          }
+
+        // The change of V stress.
+        const auto &A = tangents[begin / N].A;
+        for (unsigned int a = 0; a < n_stresses; ++a)
+          for (unsigned int l = 0; l < N; ++l)
+            {
+              double sum = 0.;
+              for (unsigned int k = 0; k < dim * dim; ++k)
+                sum += A[a][k][l] * H[k][l];
+              s[a][l] = sum;
+            }
+
+        for (unsigned int l = 0; l < n_points; ++l)
+          {
+            Tensor<2, dim> P;
+            for (unsigned int c = 0; c < dim; ++c)
+              for (unsigned int d = 0; d < dim; ++d)
+                P[c][d] = s[row<dim>(c, d)][l];
+            stencil.scatter_gradient((*weights)[begin + l], P, f);
+          }
+      }
   }
 
 
   template <int dim>
   void
-  ConsistentTangent<dim>::add_diagonal(NodalVector &diagonal) const
+  ConsistentTangent<dim>::add_diagonal(NodalVector &result) const
   {
-    const Stencil<dim> stencil(weights->background_grid());
-    double *const      f = diagonal.begin();
-    for (std::size_t p = 0; p < tangents.size(); ++p)
-      {
-        // C[c]: what A does to one component alone.
-        const auto    &A = tangents[p].A;
-        Tensor<2, dim> C[dim];
-        for (unsigned int c = 0; c < dim; ++c)
-          for (unsigned int d = 0; d < dim; ++d)
-            for (unsigned int e = 0; e < dim; ++e)
-              C[c][d][e] = A[row<dim>(c, d)][dim * c + e];
-        stencil.scatter_quadratic((*weights)[p], C, f);
-      }
+    result += diagonal;
   }
 
 

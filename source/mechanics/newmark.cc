@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/mapping/transfer.h>
-#include <waker/mechanics/energy.h>
 #include <waker/mechanics/time_scheme.h>
 
 #include <cmath>
@@ -20,6 +19,7 @@ namespace Waker
                                stiffest_modulus(in.materials),
                                in.grid.cell_size()))
         , newton(in.weights, in.fixities, in.newton, in.full_node_mass, springs)
+        , reached(in.grid)
         , history(in.grid.n_dofs())
       {}
 
@@ -49,6 +49,7 @@ namespace Waker
       StressUpdate<dim>      stress_update;
       const Springs          springs;
       NewtonSolver<dim>      newton;
+      ReachedNodes           reached;
       NodalVector            history; // 4 v / dt + a, m/s^2
       std::vector<double>    removed_increments;
       std::vector<double>    spring_targets;
@@ -76,14 +77,17 @@ namespace Waker
           a[removed[k]] = 0.;
         }
 
-      double *const     u = nodes.increment.begin();
-      double *const     q = history.begin();
-      const std::size_t n = in.grid.n_dofs();
-      for (std::size_t i = 0; i < n; ++i)
-        {
-          q[i] = 4. / dt * v[i] + a[i];
-          u[i] = in.newton.predictor ? dt * v[i] + 0.5 * dt * dt * a[i] : 0.;
-        }
+      double *const u     = nodes.increment.begin();
+      double *const q     = history.begin();
+      const double  share = in.newton.predictor ? 1. : 0.;
+      nodes.increment     = 0.;
+      reached.reinit(nodes.mass);
+      for (const auto &run : reached)
+        for (std::size_t i = dim * run.begin; i < dim * run.end; ++i)
+          {
+            q[i] = 4. / dt * v[i] + a[i];
+            u[i] = share * (dt * v[i] + 0.5 * dt * dt * a[i]);
+          }
       for (std::size_t k = 0; k < removed.size(); ++k)
         u[removed[k]] = removed_increments[k];
 
@@ -100,13 +104,16 @@ namespace Waker
       report.linear_iterations = newton_report.linear_iterations;
       report.residuals         = newton_report.residuals;
 
-      double *const new_v = nodes.new_velocity.begin();
-      double *const new_a = nodes.new_acceleration.begin();
-      for (std::size_t i = 0; i < n; ++i)
-        {
-          new_v[i] = 2. / dt * u[i] - v[i];        // eq. 2.21
-          new_a[i] = 4. / (dt * dt) * u[i] - q[i]; // eq. 2.20
-        }
+      double *const new_v    = nodes.new_velocity.begin();
+      double *const new_a    = nodes.new_acceleration.begin();
+      nodes.new_velocity     = 0.;
+      nodes.new_acceleration = 0.;
+      for (const auto &run : reached)
+        for (std::size_t i = dim * run.begin; i < dim * run.end; ++i)
+          {
+            new_v[i] = 2. / dt * u[i] - v[i];        // eq. 2.21
+            new_a[i] = 4. / (dt * dt) * u[i] - q[i]; // eq. 2.20
+          }
       return report;
     }
 
@@ -120,12 +127,6 @@ namespace Waker
                                 MaterialPoints<dim> &points,
                                 StepReport<dim>     &report)
     {
-      const double kinetic_before = kinetic_energy(points);
-      const double kinetic_nodes_before =
-        kinetic_energy<dim>(nodes.mass, nodes.velocity);
-      const double kinetic_nodes_after =
-        kinetic_energy<dim>(nodes.mass, nodes.new_velocity);
-
       const StressReport   stress = stress_update.accept(points);
       const TransferReport moved  = to_particles(nodes, weights, dt, points);
 
@@ -134,23 +135,32 @@ namespace Waker
         std::sqrt(moved.squared_displacement / moved.mass) / dt;
       report.dissipation    = stress.dissipation;
       report.elastic_energy = stress.elastic_energy;
-      report.kinetic_energy = kinetic_energy(points);
+      report.kinetic_energy = moved.kinetic_after;
 
-      // Work of the external and inertial forces over the step.
+      // Work of the external and inertial forces over the step, and kinetic
+      // energy of the nodes at its start and end.
       const double *const u             = nodes.increment.begin();
       const double *const external      = nodes.external_force.begin();
       const double *const internal      = nodes.internal_force.begin();
       const double *const a             = nodes.acceleration.begin();
+      const double *const v             = nodes.velocity.begin();
+      const double *const new_v         = nodes.new_velocity.begin();
       double              external_work = 0., inertia_work = 0.;
-      for (std::size_t i = 0; i < nodes.mass.size(); ++i)
-        {
-          report.gravity_work -= nodes.mass[i] * in.gravity * u[dim * i + 1];
-          for (unsigned int c = 0; c < dim; ++c)
-            {
-              external_work += external[dim * i + c] * u[dim * i + c];
-              inertia_work += nodes.mass[i] * a[dim * i + c] * u[dim * i + c];
-            }
-        }
+      double              kinetic_before = 0., kinetic_after = 0.;
+      for (const auto &run : reached)
+        for (std::size_t i = run.begin; i < run.end; ++i)
+          {
+            const double mass = nodes.mass[i];
+            report.gravity_work -= mass * in.gravity * u[dim * i + 1];
+            for (unsigned int c = 0; c < dim; ++c)
+              {
+                const std::size_t dof = dim * i + c;
+                external_work += external[dof] * u[dof];
+                inertia_work += mass * a[dof] * u[dof];
+                kinetic_before += 0.5 * mass * v[dof] * v[dof];
+                kinetic_after += 0.5 * mass * new_v[dof] * new_v[dof];
+              }
+          }
       report.water_work = external_work - report.gravity_work;
 
       const double r_start = residual_ramp(t, in.time.ramp_duration);
@@ -162,8 +172,8 @@ namespace Waker
       // the work that the force at the start would have done over the work of
       // the acceleration that the nodes were given instead.
       report.mapping_loss =
-        (kinetic_before - kinetic_nodes_before) +
-        (kinetic_nodes_after - report.kinetic_energy) +
+        (moved.kinetic_before - kinetic_before) +
+        (kinetic_after - report.kinetic_energy) +
         0.5 * (r_start * (external_work - stress.work_start) - inertia_work);
 
       const double *const new_a = nodes.new_acceleration.begin();

@@ -29,6 +29,7 @@ namespace Waker
     , consistent(weights)
     , double_mapped(weights)
     , linear_solver(weights.background_grid().n_dofs())
+    , reached(weights.background_grid())
     , R(weights.background_grid().n_dofs())
     , correction(weights.background_grid().n_dofs())
   {}
@@ -47,15 +48,15 @@ namespace Waker
       inertia.history != nullptr ? inertia.history->begin() : nullptr;
     double *const r = R.begin();
 
-    const std::size_t n = nodes.mass.size();
-    for (std::size_t i = 0; i < n; ++i)
-      for (unsigned int c = 0; c < dim; ++c)
-        {
-          const std::size_t dof = dim * i + c;
-          r[dof] = inertia.ramp * (external[dof] - internal[dof]);
-          if (q != nullptr)
-            r[dof] -= nodes.mass[i] * (inertia.factor * u[dof] - q[dof]);
-        }
+    for (const auto &run : reached)
+      for (std::size_t i = run.begin; i < run.end; ++i)
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            const std::size_t dof = dim * i + c;
+            r[dof] = inertia.ramp * (external[dof] - internal[dof]);
+            if (q != nullptr)
+              r[dof] -= nodes.mass[i] * (inertia.factor * u[dof] - q[dof]);
+          }
     for (std::size_t k = 0; k < springs.dofs.size(); ++k)
       {
         const unsigned int dof = springs.dofs[k];
@@ -65,13 +66,15 @@ namespace Waker
     for (const unsigned int dof : fixities->removed_list())
       r[dof] = 0.;
 
-    const unsigned char *const removed = fixities->removed().data();
+    const double               inverse_full = 1. / full_node_mass;
+    const unsigned char *const removed      = fixities->removed().data();
     double                     sum = 0., reference = 0., terms = 0.;
-    for (std::size_t i = 0; i < n; ++i)
-      if (nodes.mass[i] > 0.)
+    for (const auto &run : reached)
+      for (std::size_t i = run.begin; i < run.end; ++i)
         {
+          // Nothing of a node without mass counts.
           const double mass  = nodes.mass[i];
-          const double share = std::min(1., mass / full_node_mass);
+          const double share = std::min(1., mass * inverse_full);
           for (unsigned int c = 0; c < dim; ++c)
             {
               const std::size_t dof = dim * i + c;
@@ -112,7 +115,9 @@ namespace Waker
                                 nodes.mass,
                                 fixities->removed_list(),
                                 springs);
-    NewtonReport         report;
+    reached.reinit(nodes.mass);
+    R = 0.;
+    NewtonReport report;
     while (true)
       {
         stress_update.evaluate(points,

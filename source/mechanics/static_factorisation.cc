@@ -31,8 +31,8 @@ namespace Waker
     for (std::size_t p = 0; p < weights.size(); ++p)
       {
         const PointWeights<2> &w = weights[p];
-        const auto            &A = tangent.point_tangents()[p].A;
-        double                 g[9][2];
+        double                 A[3][4], g[9][2];
+        tangent.point_tangent(p, A);
         for (unsigned int j = 0; j < 3; ++j)
           for (unsigned int i = 0; i < 3; ++i)
             {

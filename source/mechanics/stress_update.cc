@@ -9,76 +9,11 @@ namespace Waker
 {
   namespace
   {
-    /// Scalars per point that fit on the stack; more is a material's mistake.
-    constexpr unsigned int max_variables = 16;
-
-
-    template <int dim>
-    inline Tensor<2, dim>
-    in_plane(const SymmetricTensor<2, 3> &stress, const double scale)
+    /// Entry (i, j) of a symmetric 3x3 tensor.
+    constexpr unsigned int
+    entry(const unsigned int i, const unsigned int j)
     {
-      Tensor<2, dim> P;
-      for (unsigned int i = 0; i < dim; ++i)
-        for (unsigned int j = 0; j < dim; ++j)
-          P[i][j] = scale * stress[i][j];
-      return P;
-    }
-
-
-    /// Strains of a block of points, and their stresses turned with them.
-    template <int dim>
-    void
-    move_block(const double (&H)[dim * dim][Material::block_size],
-               const bool       objective_rate,
-               Material::Block &block)
-    {
-      if constexpr (dim == 2)
-        {
-          // Of fixed length and on plain numbers: a few vector instructions.
-          const double *const xx = H[0], *const xy = H[1];
-          const double *const yx = H[2], *const yy = H[3];
-          double *const s_xx  = block.stress[0];
-          double *const s_yy  = block.stress[1];
-          double *const s_xy  = block.stress[3];
-          double *const e_xx  = block.strain_increment[0];
-          double *const e_yy  = block.strain_increment[1];
-          double *const e_xy  = block.strain_increment[3];
-          const double  share = objective_rate ? 1. : 0.;
-#pragma GCC ivdep
-          for (unsigned int l = 0; l < Material::block_size; ++l)
-            {
-              double g_xx = xx[l], g_xy = xy[l], g_yx = yx[l], g_yy = yy[l];
-              to_mid_step(share, g_xx, g_xy, g_yx, g_yy);
-              turn_in_plane(share * 0.5 * (g_xy - g_yx),
-                            s_xx[l],
-                            s_yy[l],
-                            s_xy[l]);
-              e_xx[l] = g_xx;
-              e_yy[l] = g_yy;
-              e_xy[l] = 0.5 * (g_xy + g_yx);
-            }
-          for (const unsigned int a : {2, 4, 5})
-            std::fill_n(block.strain_increment[a], Material::block_size, 0.);
-        }
-      else
-        for (unsigned int l = 0; l < Material::block_size; ++l)
-          {
-            Tensor<2, dim> gradient;
-            for (unsigned int i = 0; i < dim; ++i)
-              for (unsigned int j = 0; j < dim; ++j)
-                gradient[i][j] = H[dim * i + j][l];
-            SymmetricTensor<2, 3> stress;
-            for (unsigned int a = 0; a < 6; ++a)
-              stress.access_raw_entry(a) = block.stress[a][l];
-            const Kinematics<dim>       motion(gradient, objective_rate);
-            const SymmetricTensor<2, 3> turned = motion.turn(stress);
-            const SymmetricTensor<2, 3> strain = motion.strain();
-            for (unsigned int a = 0; a < 6; ++a)
-              {
-                block.stress[a][l]           = turned.access_raw_entry(a);
-                block.strain_increment[a][l] = strain.access_raw_entry(a);
-              }
-          }
+      return i == j ? i : i + j + 2;
     }
 
 
@@ -127,13 +62,15 @@ namespace Waker
                                   const bool       objective_rate)
     : materials(&materials)
     , objective_rate(objective_rate)
-    , n_variables(0)
   {
     for (const auto &material : materials)
-      n_variables =
-        std::max<unsigned int>(n_variables, material->variables().size());
-    AssertThrow(n_variables <= max_variables,
-                ExcMessage("a material declares too many variables"));
+      {
+        variable_names.emplace_back();
+        for (const MaterialVariable &variable : material->variables())
+          variable_names.back().push_back(variable.name);
+        AssertThrow(variable_names.back().size() <= max_variables,
+                    ExcMessage("a material declares too many variables"));
+      }
   }
 
 
@@ -141,20 +78,20 @@ namespace Waker
   void
   StressUpdate<dim>::find_variables(const MaterialPoints<dim> &points)
   {
-    variable_arrays.assign(materials->size(), {});
-    for (unsigned int m = 0; m < materials->size(); ++m)
-      for (const MaterialVariable &variable : (*materials)[m]->variables())
-        {
-          const int i = points.find_scalar(variable.name);
-          AssertThrow(i >= 0,
-                      ExcMessage("the points lack the variable " +
-                                 variable.name));
-          variable_arrays[m].push_back(i);
-        }
+    variable_arrays.resize(variable_names.size());
+    for (unsigned int m = 0; m < variable_names.size(); ++m)
+      {
+        const std::vector<std::string> &names  = variable_names[m];
+        std::vector<int>               &arrays = variable_arrays[m];
+        arrays.resize(names.size());
+        for (unsigned int v = 0; v < names.size(); ++v)
+          {
+            arrays[v] = points.find_scalar(names[v]);
+            AssertThrow(arrays[v] >= 0,
+                        ExcMessage("the points lack the variable " + names[v]));
+          }
+      }
     gradients.resize(points.n_points());
-    new_stress.resize(points.n_points());
-    new_variables.resize(n_variables * points.n_points());
-    dissipation.resize(points.n_points());
   }
 
 
@@ -168,51 +105,47 @@ namespace Waker
     find_variables(points);
     internal_force = 0.;
 
-    // In blocks of neighbours of one material.
-    const std::size_t n     = points.n_points();
-    std::size_t       begin = 0;
-    while (begin < n)
+    Range range = {0, 0};
+    while (range.end < points.n_points())
       {
-        const unsigned int m   = points.material[begin];
-        std::size_t        end = begin + 1;
-        while (end < n && end < begin + Material::block_size &&
-               points.material[end] == m)
-          ++end;
-        evaluate_block(points,
-                       weights,
-                       begin,
-                       end,
-                       increment.begin(),
-                       internal_force.begin());
-        begin = end;
+        range = range_from(points, range.end);
+        evaluate_range(
+          points, weights, range, increment.begin(), internal_force.begin());
       }
   }
 
 
   template <int dim>
-  void
-  StressUpdate<dim>::evaluate_block(const MaterialPoints<dim> &points,
-                                    const Weights<dim>        &weights,
-                                    const std::size_t          begin,
-                                    const std::size_t          end,
-                                    const double              *increment,
-                                    double                    *force)
+  typename StressUpdate<dim>::Range
+  StressUpdate<dim>::range_from(const MaterialPoints<dim> &points,
+                                const std::size_t          begin)
   {
-    constexpr unsigned int  N = Material::block_size;
-    const Stencil<dim>      stencil(weights.background_grid());
-    const unsigned int      m        = points.material[begin];
-    const unsigned int      n_points = end - begin;
-    const std::vector<int> &arrays   = variable_arrays[m];
+    const std::size_t next_block =
+      (begin / Material::block_size + 1) * Material::block_size;
+    const std::size_t last = std::min(next_block, points.n_points());
+    std::size_t       end  = begin + 1;
+    while (end < last && points.material[end] == points.material[begin])
+      ++end;
+    return {begin, end};
+  }
 
-    Material::Block block;
-    double          variables[max_variables][N];
-    double          H[dim * dim][N] = {};
-    block.variables                 = variables;
+
+  template <int dim>
+  void
+  StressUpdate<dim>::load(const MaterialPoints<dim> &points,
+                          const Range               &range,
+                          Work                      &work) const
+  {
+    constexpr unsigned int N        = Material::block_size;
+    const unsigned int     n_points = range.end - range.begin;
+    Material::Block       &block    = work.block;
+    auto                  &H        = work.motion.H;
+    block.variables                 = work.variables;
+    work.motion.objective_rate      = objective_rate;
 
     for (unsigned int l = 0; l < n_points; ++l)
       {
-        const std::size_t p = begin + l;
-        gradients[p]        = stencil.gradient(weights[p], increment);
+        const std::size_t p = range.begin + l;
         for (unsigned int i = 0; i < dim; ++i)
           for (unsigned int j = 0; j < dim; ++j)
             H[dim * i + j][l] = gradients[p][i][j];
@@ -220,59 +153,93 @@ namespace Waker
           block.stress[a][l] = points.stress[p].access_raw_entry(a);
       }
     for (unsigned int l = n_points; l < N; ++l)
-      for (unsigned int a = 0; a < 6; ++a)
-        block.stress[a][l] = 0.;
+      {
+        for (unsigned int k = 0; k < dim * dim; ++k)
+          H[k][l] = 0.;
+        for (unsigned int a = 0; a < 6; ++a)
+          block.stress[a][l] = 0.;
+      }
+    const std::vector<int> &arrays =
+      variable_arrays[points.material[range.begin]];
     for (unsigned int v = 0; v < arrays.size(); ++v)
       {
         const double *const values =
-          points.scalars[arrays[v]].values.data() + begin;
+          points.scalars[arrays[v]].values.data() + range.begin;
         for (unsigned int l = 0; l < N; ++l)
-          variables[v][l] = l < n_points ? values[l] : 0.;
+          work.variables[v][l] = l < n_points ? values[l] : 0.;
       }
+    work.motion.move(block);
+  }
 
-    move_block<dim>(H, objective_rate, block);
+
+  template <int dim>
+  void
+  StressUpdate<dim>::evaluate_range(const MaterialPoints<dim> &points,
+                                    const Weights<dim>        &weights,
+                                    const Range               &range,
+                                    const double              *increment,
+                                    double                    *force)
+  {
+    const Stencil<dim> stencil(weights.background_grid());
+    const unsigned int m        = points.material[range.begin];
+    const unsigned int n_points = range.end - range.begin;
+    for (std::size_t p = range.begin; p < range.end; ++p)
+      gradients[p] = stencil.gradient(weights[p], increment);
+
+    Work             work;
+    Material::Block &block = work.block;
+    load(points, range, work);
     (*materials)[m]->update_block(n_points, block);
 
     for (unsigned int l = 0; l < n_points; ++l)
       {
-        const std::size_t      p      = begin + l;
-        SymmetricTensor<2, 3> &stress = new_stress[p];
-        for (unsigned int a = 0; a < 6; ++a)
-          stress.access_raw_entry(a) = block.stress[a][l];
-        dissipation[p] = block.dissipation[l];
-        for (unsigned int v = 0; v < arrays.size(); ++v)
-          new_variables[n_variables * p + v] = variables[v][l];
-        stencil.scatter_gradient(weights[p],
-                                 in_plane<dim>(stress, points.volume[p]),
-                                 force);
+        const std::size_t p = range.begin + l;
+        Tensor<2, dim>    P;
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int j = 0; j < dim; ++j)
+            P[i][j] = points.volume[p] * block.stress[entry(i, j)][l];
+        stencil.scatter_gradient(weights[p], P, force);
       }
   }
 
 
   template <int dim>
   void
-  StressUpdate<dim>::tangents(const MaterialPoints<dim> &points,
-                              std::vector<PointTangent> &tangents) const
+  StressUpdate<dim>::tangent(const MaterialPoints<dim> &points,
+                             const std::size_t          b,
+                             BlockTangent              &tangent) const
   {
-    SymmetricTensor<4, 3> tangent;
-    double                variables[max_variables];
-    tangents.resize(points.n_points());
-    for (std::size_t p = 0; p < points.n_points(); ++p)
+    constexpr unsigned int N    = Material::block_size;
+    constexpr unsigned int n    = BlockMotion<dim>::n_stresses;
+    const std::size_t      last = std::min((b + 1) * N, points.n_points());
+
+    Work   work;
+    double D[n * n][N] = {};
+    double turned[6][N], volume[N] = {}, A[n][dim * dim][N];
+    Range  range = {b * N, b * N};
+    while (range.end < last)
       {
-        const unsigned int    m        = points.material[p];
-        const Material       &material = *(*materials)[m];
-        const Kinematics<dim> motion(gradients[p], objective_rate);
-        for (unsigned int v = 0; v < variable_arrays[m].size(); ++v)
-          variables[v] = points.scalars[variable_arrays[m][v]].values[p];
-        const SymmetricTensor<2, 3> turned = motion.turn(points.stress[p]);
-        SymmetricTensor<2, 3>       stress = turned;
-        material.update(motion.strain(), stress, variables, &tangent);
-        motion.stress_derivative(tangent,
-                                 turned,
-                                 material.shear_modulus(),
-                                 points.volume[p],
-                                 tangents[p].A);
+        range                       = range_from(points, range.end);
+        const unsigned int n_points = range.end - range.begin;
+        const Material &material = *(*materials)[points.material[range.begin]];
+        load(points, range, work);
+        std::copy_n(&work.block.stress[0][0], 6 * N, &turned[0][0]);
+        material.tangent_block(
+          n_points, work.block, n, BlockMotion<dim>::components, D);
+        std::copy_n(points.volume.data() + range.begin, n_points, volume);
+        work.motion.stress_derivative(
+          D, turned, material.shear_modulus(), volume, A);
+
+        const unsigned int first = range.begin % N;
+        for (unsigned int a = 0; a < n; ++a)
+          for (unsigned int k = 0; k < dim * dim; ++k)
+            for (unsigned int l = 0; l < n_points; ++l)
+              tangent.A[a][k][first + l] = A[a][k][l];
       }
+    for (unsigned int l = last - b * N; l < N; ++l)
+      for (unsigned int a = 0; a < n; ++a)
+        for (unsigned int k = 0; k < dim * dim; ++k)
+          tangent.A[a][k][l] = 0.;
   }
 
 
@@ -303,29 +270,62 @@ namespace Waker
   StressReport
   StressUpdate<dim>::accept(MaterialPoints<dim> &points) const
   {
-    StressReport report;
-    const int    plastic = points.find_scalar("plastic strain");
-    for (std::size_t p = 0; p < points.n_points(); ++p)
+    const int              plastic = points.find_scalar("plastic strain");
+    StressReport           report;
+    Work                   work;
+    const Material::Block &block = work.block;
+    Range                  range = {0, 0};
+    while (range.end < points.n_points())
       {
-        const unsigned int m = points.material[p];
-        const double       V = points.volume[p];
-        report.work_start +=
-          scalar_product(in_plane<dim>(points.stress[p], V), gradients[p]);
-        report.work_end +=
-          scalar_product(in_plane<dim>(new_stress[p], V), gradients[p]);
-        report.dissipation += V * dissipation[p];
-        report.elastic_energy +=
-          V * elastic_energy(new_stress[p], *(*materials)[m]);
+        range                       = range_from(points, range.end);
+        const unsigned int m        = points.material[range.begin];
+        const Material    &material = *(*materials)[m];
+        const unsigned int n_points = range.end - range.begin;
+        const double       bulk     = 0.5 / material.bulk_modulus();
+        const double       shear    = 0.25 / material.shear_modulus();
+        load(points, range, work);
+        material.update_block(n_points, work.block);
 
-        points.stress[p]        = new_stress[p];
-        const double *variables = new_variables.data() + n_variables * p;
+        for (unsigned int l = 0; l < n_points; ++l)
+          {
+            const std::size_t p     = range.begin + l;
+            const double      V     = points.volume[p];
+            double            start = 0., end = 0., square = 0.;
+            for (unsigned int i = 0; i < dim; ++i)
+              for (unsigned int j = 0; j < dim; ++j)
+                {
+                  const double       H = work.motion.H[dim * i + j][l];
+                  const unsigned int a = entry(i, j);
+                  start += points.stress[p].access_raw_entry(a) * H;
+                  end += block.stress[a][l] * H;
+                }
+            for (unsigned int a = 0; a < 6; ++a)
+              {
+                const double s = block.stress[a][l];
+                square += (a < 3 ? 1. : 2.) * s * s;
+                points.stress[p].access_raw_entry(a) = s;
+              }
+            const double pressure =
+              (block.stress[0][l] + block.stress[1][l] + block.stress[2][l]) /
+              3.;
+            report.work_start += V * start;
+            report.work_end += V * end;
+            report.dissipation += V * block.dissipation[l];
+            report.elastic_energy +=
+              V * (pressure * pressure * bulk +
+                   (square - 3. * pressure * pressure) * shear);
+          }
         for (unsigned int v = 0; v < variable_arrays[m].size(); ++v)
           {
-            const int array = variable_arrays[m][v];
-            double   &value = points.scalars[array].values[p];
-            if (array == plastic)
-              report.plastic_strain += variables[v] - value;
-            value = variables[v];
+            const int     array  = variable_arrays[m][v];
+            double *const values = points.scalars[array].values.data();
+            for (unsigned int l = 0; l < n_points; ++l)
+              {
+                double &value = values[range.begin + l];
+                if (array == plastic)
+                  report.plastic_strain += work.variables[v][l] - value;
+                value = work.variables[v][l];
+              }
           }
       }
     report.plastic_strain /= std::max<std::size_t>(points.n_points(), 1);

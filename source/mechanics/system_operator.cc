@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_control.h>
-#include <deal.II/lac/solver_gmres.h>
 
 #include <waker/mechanics/system_operator.h>
 
@@ -96,34 +95,6 @@ namespace Waker
   }
 
 
-  namespace
-  {
-    /// deal.II's GMRES begins with the product A x of a first guess: ours is
-    /// zero, and needs none.
-    class FromZero
-    {
-    public:
-      explicit FromZero(const Operator &A)
-        : A(A)
-      {}
-
-      void
-      vmult(NodalVector &dst, const NodalVector &src) const
-      {
-        if (is_first)
-          dst = 0.;
-        else
-          A.vmult(dst, src);
-        is_first = false;
-      }
-
-    private:
-      const Operator &A;
-      mutable bool    is_first = true;
-    };
-  } // namespace
-
-
   void
   LinearSolver::prepare(const Operator &A)
   {
@@ -134,6 +105,7 @@ namespace Waker
     // have a negative diagonal, which would spoil the preconditioner.
     for (double &entry : diagonal)
       entry = entry != 0. ? 1. / std::abs(entry) : 0.;
+    gmres.prepare(diagonal);
   }
 
 
@@ -164,24 +136,9 @@ namespace Waker
         const double work = x * b;
         if (report.converged && work > 0.)
           return report;
-        x                = 0.;
-        report.converged = false;
       }
-    ReductionControl control(max_iterations, 1e-300, tolerance, false, false);
-    SolverGMRES<NodalVector> gmres(
-      control,
-      SolverGMRES<NodalVector>::AdditionalData(40,
-                                               /*right_preconditioning=*/true));
-    try
-      {
-        gmres.solve(FromZero(A), x, b, jacobi);
-        report.converged = true;
-      }
-    catch (const SolverControl::NoConvergence &)
-      {
-        // x is the best there is; Newton will see whether it is good enough.
-      }
-    report.iterations += control.last_step();
-    return report;
+    LinearReport last = gmres.solve(A, x, b, tolerance, max_iterations);
+    last.iterations += report.iterations;
+    return last;
   }
 } // namespace Waker

@@ -64,7 +64,8 @@ namespace Waker
         throw UserError("command line",
                         "--" + option + " is \"" + text + "\"",
                         allowed);
-      return {std::stoull(text.substr(0, at)), std::stoull(text.substr(at + 1))};
+      return {std::stoull(text.substr(0, at)),
+              std::stoull(text.substr(at + 1))};
     }
 
 
@@ -152,7 +153,8 @@ namespace Waker
     CLI::App *const status =
       app.add_subcommand("status", "how far a campaign is, also while it runs");
     CLI::App *const merge =
-      app.add_subcommand("merge", "journals of a campaign to results.h5 and report/");
+      app.add_subcommand("merge",
+                         "journals of a campaign to results.h5 and report/");
     for (CLI::App *const command : {status, merge})
       {
         command->add_option("FOLDER", line.file, "of the campaign")->required();

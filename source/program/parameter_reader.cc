@@ -247,8 +247,8 @@ namespace Waker
                              ParameterHandler::KeepDeclarationOrder);
       const std::vector<DeclaredParameter> values = declared_parameters(prm);
       input->simulation.text                      = text.str();
-      input->simulation.hash                      = hash_of(values, decides_steps);
-      input->campaign_hash = hash_of(values, decides_records);
+      input->simulation.hash = hash_of(values, decides_steps);
+      input->campaign_hash   = hash_of(values, decides_records);
 
       try
         {
@@ -297,24 +297,22 @@ namespace Waker
 
     const std::size_t slash = sweep.parameter.rfind('/');
     if (map.known.count(sweep.parameter) == 0)
-      throw map.located(UserError("Sweep/Parameter",
-                                  "is \"" + sweep.parameter +
-                                    "\", which does not exist",
-                                  "the path of a parameter, \"Section/Name\"; "
-                                  "waker parameters prints them all"));
+      throw map.located(
+        UserError("Sweep/Parameter",
+                  "is \"" + sweep.parameter + "\", which does not exist",
+                  "the path of a parameter, \"Section/Name\"; "
+                  "waker parameters prints them all"));
     scenarios.clear();
     for (const std::string &value : sweep.list())
       {
         PrmContents        changed = contents;
         ParameterLocations unused  = map;
-        override_entries(changed.entries,
-                         {{slash == std::string::npos ?
-                             "" :
-                             sweep.parameter.substr(0, slash),
-                           sweep.parameter.substr(
-                             slash == std::string::npos ? 0 : slash + 1),
-                           value,
-                           map.where("Sweep/Values")}});
+        override_entries(
+          changed.entries,
+          {{slash == std::string::npos ? "" : sweep.parameter.substr(0, slash),
+            sweep.parameter.substr(slash == std::string::npos ? 0 : slash + 1),
+            value,
+            map.where("Sweep/Values")}});
         scenarios.push_back(make_input(changed, unused));
       }
     return scenarios;

@@ -118,17 +118,16 @@ namespace Waker
 
       const bool is_random = !input.reliability.fields.fields.empty();
       if (is_random != line.realisation.has_value())
-        throw is_random ?
-          UserError("Random fields/Names",
-                    "there are random fields, but no --realisation i",
-                    "waker run FILE --realisation i, waker campaign FILE, or "
-                    "--set \"Random fields/Names=\"") :
-          UserError("command line",
-                    "--realisation is given, but nothing is random",
-                    "a file with names in Random fields/Names");
+        throw is_random
+          ? UserError("Random fields/Names",
+                      "there are random fields, but no --realisation i",
+                      "waker run FILE --realisation i, waker campaign FILE, or "
+                      "--set \"Random fields/Names=\"")
+          : UserError("command line",
+                      "--realisation is given, but nothing is random",
+                      "a file with names in Random fields/Names");
       if (!is_random)
-        return exit_code(
-          run<dim>(input.simulation, options, MPI_COMM_WORLD));
+        return exit_code(run<dim>(input.simulation, options, MPI_COMM_WORLD));
       return exit_code(
         run<dim>(realisation_parameters(input, *line.realisation),
                  options,
@@ -154,11 +153,10 @@ namespace Waker
       options.first         = line.first;
       options.last          = line.last;
       options.interrupt     = &received_signal;
-      return exit_code(
-        run_campaign<dim>(scenarios, options, MPI_COMM_WORLD) ==
-            CampaignStatus::completed ?
-          RunStatus::completed :
-          RunStatus::interrupted);
+      return exit_code(run_campaign<dim>(scenarios, options, MPI_COMM_WORLD) ==
+                           CampaignStatus::completed
+                         ? RunStatus::completed
+                         : RunStatus::interrupted);
     }
 
 
@@ -172,8 +170,8 @@ namespace Waker
       const Input &input = *scenarios[line.scenario];
       const bool   plane = input.simulation.dimension == 2;
       if (line.command == Command::campaign)
-        return plane ? run_many<2>(line, scenarios) :
-                       run_many<3>(line, scenarios);
+        return plane ? run_many<2>(line, scenarios)
+                     : run_many<3>(line, scenarios);
       return plane ? run_one<2>(line, input) : run_one<3>(line, input);
     }
 

@@ -23,8 +23,8 @@ namespace Waker
   CampaignInfo
   campaign_info(const Scenarios &scenarios)
   {
-    const Input &first = *scenarios[0];
-    CampaignInfo info;
+    const Input  &first = *scenarios[0];
+    CampaignInfo  info;
     const Summary program; // knows what it was built from
     info.version         = program.version;
     info.compiler        = program.compiler;
@@ -86,21 +86,20 @@ namespace Waker
           sum.n_flooding += progress.counts(s).n_flooding;
         }
       char text[200];
-      int  length = std::snprintf(text,
-                                 sizeof text,
-                                 "%llu of %llu, S1 %llu, flooded %llu",
-                                 static_cast<unsigned long long>(sum.n),
-                                 static_cast<unsigned long long>(
-                                   progress.n_wanted()),
-                                 static_cast<unsigned long long>(sum.n_initial),
-                                 static_cast<unsigned long long>(
-                                   sum.n_flooding));
+      int  length =
+        std::snprintf(text,
+                      sizeof text,
+                      "%llu of %llu, S1 %llu, flooded %llu",
+                      static_cast<unsigned long long>(sum.n),
+                      static_cast<unsigned long long>(progress.n_wanted()),
+                      static_cast<unsigned long long>(sum.n_initial),
+                      static_cast<unsigned long long>(sum.n_flooding));
       if (sum.n_failures > 0)
-        length += std::snprintf(text + length,
-                                sizeof text - length,
-                                ", numerical failures %llu",
-                                static_cast<unsigned long long>(
-                                  sum.n_failures));
+        length +=
+          std::snprintf(text + length,
+                        sizeof text - length,
+                        ", numerical failures %llu",
+                        static_cast<unsigned long long>(sum.n_failures));
       if (n_scenarios == 1 && sum.n > sum.n_failures)
         {
           const Interval interval =
@@ -139,10 +138,10 @@ namespace Waker
       for (const std::string &line : runner.properties().description())
         log.line(line);
       log.line("Campaign " + info.hash + ": " +
-               std::to_string(info.scenarios.size()) + " scenario(s) of up to " +
-               std::to_string(info.realisations) + " realisations, seed " +
-               std::to_string(info.seed) + ", " + std::to_string(n_ranks) +
-               " rank(s)");
+               std::to_string(info.scenarios.size()) +
+               " scenario(s) of up to " + std::to_string(info.realisations) +
+               " realisations, seed " + std::to_string(info.seed) + ", " +
+               std::to_string(n_ranks) + " rank(s)");
       if (!info.swept_parameter.empty())
         for (const ScenarioInfo &scenario : info.scenarios)
           log.line("  " + info.swept_parameter + " = " + scenario.value);
@@ -153,10 +152,10 @@ namespace Waker
     class FolderWatch
     {
     public:
-      FolderWatch(const std::string  &folder,
-                  const std::string  &hash,
+      FolderWatch(const std::string        &folder,
+                  const std::string        &hash,
                   const CampaignParameters &parameters,
-                  const unsigned int  n_scenarios)
+                  const unsigned int        n_scenarios)
         : progress(parameters, n_scenarios)
         , reader(folder, hash)
       {
@@ -184,14 +183,14 @@ namespace Waker
                const CampaignOptions &options,
                const MPI_Comm         communicator)
   {
-    using Clock = std::chrono::steady_clock;
+    using Clock                          = std::chrono::steady_clock;
     const CampaignParameters &parameters = scenarios[0]->reliability.campaign;
-    const std::string        &folder = scenarios[0]->simulation.output.directory;
-    const CampaignInfo        info   = campaign_info(scenarios);
-    const int  rank    = Utilities::MPI::this_mpi_process(communicator);
-    const int  n_ranks = Utilities::MPI::n_mpi_processes(communicator);
-    const auto last = std::min<std::uint64_t>(options.last,
-                                              parameters.realisations);
+    const std::string &folder  = scenarios[0]->simulation.output.directory;
+    const CampaignInfo info    = campaign_info(scenarios);
+    const int          rank    = Utilities::MPI::this_mpi_process(communicator);
+    const int          n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+    const auto         last =
+      std::min<std::uint64_t>(options.last, parameters.realisations);
     if (options.first >= last)
       throw UserError("command line",
                       "--realisations begins at " +
@@ -210,7 +209,8 @@ namespace Waker
                                                  parameters.attempts,
                                                  MPI_COMM_SELF));
 
-    Log log = rank == 0 ? Log(std::cout, Log::is_terminal()) : Log();
+    Log log =
+      rank == 0 ? Log(std::cout, n_ranks == 1 && Log::is_terminal()) : Log();
     if (options.validate_only)
       {
         describe(*runners[0], info, n_ranks, log);
@@ -232,14 +232,14 @@ namespace Waker
       log.line("Found " + std::to_string(progress.n_done()) +
                " finished realisations.");
 
-    const Schedule schedule(scenarios.size(),
+    const Schedule               schedule(scenarios.size(),
                             options.first,
                             last,
                             parameters.batch);
-    IndexCounter   counter(communicator);
+    IndexCounter                 counter(communicator);
     std::optional<JournalWriter> writer;
     std::uint64_t                n_own = 0, batch = -1;
-    double                       busy = 0.; // s
+    double                       busy        = 0.; // s
     const auto                   start       = Clock::now();
     bool                         interrupted = false;
     while (true)
@@ -258,8 +258,10 @@ namespace Waker
             progress.is_done(task.scenario, task.realisation))
           continue;
 
-        std::optional<Record> record = runners[task.scenario]->run(
-          parameters.seed, task.realisation, options.interrupt);
+        std::optional<Record> record =
+          runners[task.scenario]->run(parameters.seed,
+                                      task.realisation,
+                                      options.interrupt);
         if (!record)
           {
             interrupted = true;
@@ -281,7 +283,8 @@ namespace Waker
           }
       }
 
-    const double wall = std::chrono::duration<double>(Clock::now() - start).count();
+    const double wall =
+      std::chrono::duration<double>(Clock::now() - start).count();
     n_own = Utilities::MPI::sum(n_own, communicator); // waits for all ranks
     busy  = Utilities::MPI::sum(busy, communicator);
     interrupted = Utilities::MPI::max(interrupted ? 1 : 0, communicator) != 0;
@@ -316,12 +319,8 @@ namespace Waker
         return CampaignStatus::completed;
       }
 
-    const bool done = make_snapshots<dim>(scenarios,
-                                          folder,
-                                          info.hash,
-                                          progress,
-                                          options.interrupt,
-                                          communicator);
+    const bool done = make_snapshots<dim>(
+      scenarios, folder, info.hash, progress, options.interrupt, communicator);
     if (rank == 0)
       merge_campaign(folder, *scenarios[0], false, log);
     return done ? CampaignStatus::completed : CampaignStatus::interrupted;

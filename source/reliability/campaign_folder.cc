@@ -41,10 +41,13 @@ namespace Waker
     {
       const CampaignInfo old = CampaignInfo::read(info_path(folder));
       if (old.hash != info.hash)
-        refuse("'" + folder + "' holds another campaign (its parameters have the "
-                 "hash " + old.hash + ", these " + info.hash + ")",
-               "the same parameters, but for Output, Slides, Risk, Snapshots and "
-               "the number of realisations; a new folder; or --overwrite");
+        refuse(
+          "'" + folder +
+            "' holds another campaign (its parameters have the "
+            "hash " +
+            old.hash + ", these " + info.hash + ")",
+          "the same parameters, but for Output, Slides, Risk, Snapshots and "
+          "the number of realisations; a new folder; or --overwrite");
     }
 
 
@@ -55,8 +58,8 @@ namespace Waker
       std::vector<fs::path> found;
       for (const auto &entry : fs::directory_iterator(folder))
         {
-          const std::string name = entry.path().filename().string();
-          const auto begins = [&name](const char *text) {
+          const std::string name   = entry.path().filename().string();
+          const auto        begins = [&name](const char *text) {
             return name.rfind(text, 0) == 0;
           };
           if (entry.is_regular_file() &&
@@ -64,7 +67,7 @@ namespace Waker
                begins("parameters.prm") || begins("results.h5")))
             found.push_back(entry.path());
         }
-      const fs::path report = fs::path(folder) / "report";
+      const fs::path  report = fs::path(folder) / "report";
       std::error_code ignored;
       if (fs::is_directory(report, ignored))
         for (const auto &entry : fs::directory_iterator(report))
@@ -116,8 +119,8 @@ namespace Waker
       refuse("'" + folder + "' holds no campaign",
              "the folder of the campaign to be resumed");
     check_output_folder(folder,
-                        options.overwrite ? FolderMode::overwrite :
-                                            FolderMode::must_be_new);
+                        options.overwrite ? FolderMode::overwrite
+                                          : FolderMode::must_be_new);
   }
 
 

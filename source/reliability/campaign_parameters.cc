@@ -45,18 +45,20 @@ namespace Waker
               "Number N of realisations, at most, of each scenario; may be "
               "made larger when a campaign is resumed.",
               1);
-    add_count(prm,
-              "Batch",
-              batch,
-              "The rules for stopping before N are looked at after each so many "
-              "realisations, counted from the first.",
-              1);
-    prm.add_parameter("Attempts",
-                      attempts,
-                      "A realisation that fails numerically is begun again with "
-                      "half the time step, up to so many times in all; then it "
-                      "is recorded as a numerical failure.",
-                      Patterns::Integer(1, 10));
+    add_count(
+      prm,
+      "Batch",
+      batch,
+      "The rules for stopping before N are looked at after each so many "
+      "realisations, counted from the first.",
+      1);
+    prm.add_parameter(
+      "Attempts",
+      attempts,
+      "A realisation that fails numerically is begun again with "
+      "half the time step, up to so many times in all; then it "
+      "is recorded as a numerical failure.",
+      Patterns::Integer(1, 10));
     prm.add_parameter("Target",
                       target,
                       "The probability that the next two rules look at.",
@@ -71,12 +73,13 @@ namespace Waker
                       "Stop when the 95 % interval of the probability is "
                       "narrower (-). 0: no such rule.",
                       Patterns::Double(0., 1.));
-    add_count(prm,
-              "Initial failures",
-              initial_failures,
-              "Stop when so many realisations have failed initially. 0: no such "
-              "rule.",
-              0);
+    add_count(
+      prm,
+      "Initial failures",
+      initial_failures,
+      "Stop when so many realisations have failed initially. 0: no such "
+      "rule.",
+      0);
     add_count(prm,
               "Minimum realisations",
               minimum_realisations,
@@ -99,13 +102,14 @@ namespace Waker
   void
   SweepParameters::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter("Parameter",
-                      parameter,
-                      "Path of the parameter that differs between the scenarios "
-                      "of the campaign, for example \"Water/Level\" or \"Random "
-                      "fields/strength/Scales of fluctuation\". Empty: there is "
-                      "one scenario.",
-                      Patterns::Anything());
+    prm.add_parameter(
+      "Parameter",
+      parameter,
+      "Path of the parameter that differs between the scenarios "
+      "of the campaign, for example \"Water/Level\" or \"Random "
+      "fields/strength/Scales of fluctuation\". Empty: there is "
+      "one scenario.",
+      Patterns::Anything());
     prm.add_parameter("Values",
                       values,
                       "Its values, one per scenario, separated by semicolons.",
@@ -122,7 +126,8 @@ namespace Waker
     std::size_t              begin = 0;
     while (begin <= values.size())
       {
-        const std::size_t end = std::min(values.find(';', begin), values.size());
+        const std::size_t end =
+          std::min(values.find(';', begin), values.size());
         const std::string item  = values.substr(begin, end - begin);
         const std::size_t first = item.find_first_not_of(" \t");
         const std::size_t last  = item.find_last_not_of(" \t");
@@ -163,17 +168,19 @@ namespace Waker
   void
   SnapshotParameters::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter("First",
-                      first,
-                      "After the campaign, run the first so many realisations of "
-                      "each scenario again with full output, to the folder "
-                      "\"snapshots\".",
-                      Patterns::Integer(0));
-    prm.add_parameter("Of each outcome",
-                      of_each_outcome,
-                      "Likewise so many realisations of each outcome, those with "
-                      "the lowest numbers.",
-                      Patterns::Integer(0));
+    prm.add_parameter(
+      "First",
+      first,
+      "After the campaign, run the first so many realisations of "
+      "each scenario again with full output, to the folder "
+      "\"snapshots\".",
+      Patterns::Integer(0));
+    prm.add_parameter(
+      "Of each outcome",
+      of_each_outcome,
+      "Likewise so many realisations of each outcome, those with "
+      "the lowest numbers.",
+      Patterns::Integer(0));
     prm.add_parameter("Realisations",
                       realisations,
                       "Likewise the realisations of these numbers.",

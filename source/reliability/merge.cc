@@ -117,13 +117,13 @@ namespace Waker
         const double mean = busy / contents.records.size();
         log.line("  " + std::to_string(static_cast<int>(3600. / mean)) +
                  " realisations an hour and core, " +
-                 std::to_string(
-                   (contents.n_wanted - contents.records.size()) * mean /
-                   3600.) +
+                 std::to_string((contents.n_wanted - contents.records.size()) *
+                                mean / 3600.) +
                  " core hours to go");
       }
     print_remarks(contents, log);
-    log.line(
-      report_text(contents.info, contents.by_scenario(), input.reliability.analysis));
+    log.line(report_text(contents.info,
+                         contents.by_scenario(),
+                         input.reliability.analysis));
   }
 } // namespace Waker

@@ -27,7 +27,8 @@ namespace Waker
     /// default each support domain has its own.
     template <int dim>
     FieldLattice
-    make_lattice(const Case<dim> &the_case, const std::vector<double> &cell_size)
+    make_lattice(const Case<dim>           &the_case,
+                 const std::vector<double> &cell_size)
     {
       const MaterialPoints<dim> &points = the_case.initial_points;
       FieldLattice               lattice;
@@ -47,7 +48,7 @@ namespace Waker
             }
           lattice.cell_size[d] = size;
           lattice.origin[d]    = corner + first * size;
-          lattice.n_cells[d] = static_cast<unsigned int>(last - first) + 1;
+          lattice.n_cells[d]   = static_cast<unsigned int>(last - first) + 1;
         }
       return lattice;
     }
@@ -102,9 +103,9 @@ namespace Waker
     if (parameters.fields.empty())
       return;
 
-    const MaterialPoints<dim>     &points = the_case.initial_points;
-    std::vector<FieldLattice>      lattices;
-    std::vector<Expression<dim>>   means;
+    const MaterialPoints<dim>   &points = the_case.initial_points;
+    std::vector<FieldLattice>    lattices;
+    std::vector<Expression<dim>> means;
     for (const RandomFieldParameters &field : parameters.fields)
       {
         const std::string  path     = "Random fields/" + field.name;
@@ -117,10 +118,10 @@ namespace Waker
                            path + "/Mean",
                            "nothing, a number");
 
-        const double largest =
-          field.maximum < 1e299 ? field.maximum :
-                                  std::numeric_limits<double>::infinity();
-        Target target{field.property,
+        const double largest = field.maximum < 1e299
+                                 ? field.maximum
+                                 : std::numeric_limits<double>::infinity();
+        Target       target{field.property,
                       Marginal(Marginal::kind(field.distribution),
                                field.minimum,
                                largest),
@@ -135,9 +136,9 @@ namespace Waker
               const Point<dim> &x    = points.initial_position[q];
               const double      mean = means.back().value(x, 0.);
               const double      deviation =
-                field.standard_deviation > 0. ?
-                       field.standard_deviation :
-                       field.coefficient_of_variation * mean;
+                field.standard_deviation > 0.
+                       ? field.standard_deviation
+                       : field.coefficient_of_variation * mean;
               std::string problem;
               if (!std::isfinite(mean) || !(mean >= 0.))
                 problem = "is " + std::to_string(mean);
@@ -160,11 +161,12 @@ namespace Waker
             }
 
         // The residual strength goes along, unless it has its own field.
-        const std::string residual = "residual strength";
+        const std::string residual  = "residual strength";
         bool              own_field = field.property == residual;
         for (const RandomFieldParameters &other : parameters.fields)
-          own_field = own_field || (other.property == residual &&
-                                    material_number(the_case, other) == material);
+          own_field =
+            own_field || (other.property == residual &&
+                          material_number(the_case, other) == material);
         if (!own_field)
           target.residual_ratio =
             default_value(the_case, material, residual, field) / own;
@@ -178,10 +180,10 @@ namespace Waker
       Point<dim>                   x;
       for (unsigned int d = 0; d < dim; ++d)
         x[d] = place[d];
-      const double mean = means[f].value(x, 0.);
-      const double deviation =
-        field.standard_deviation > 0. ? field.standard_deviation :
-                                        field.coefficient_of_variation * mean;
+      const double mean      = means[f].value(x, 0.);
+      const double deviation = field.standard_deviation > 0.
+                                 ? field.standard_deviation
+                                 : field.coefficient_of_variation * mean;
       return targets[f].marginal.normal_score(value, mean, deviation);
     };
     fields = std::make_unique<RandomFields>(parameters, lattices, score);
@@ -201,11 +203,11 @@ namespace Waker
         std::vector<double> &values = state.points.scalar(target.property);
         for (std::size_t i = 0; i < target.points.size(); ++i)
           values[target.points[i]] =
-            target.standard_deviation[i] > 0. ?
-              target.marginal.value(scores[f][target.cells[i]],
-                                    target.mean[i],
-                                    target.standard_deviation[i]) :
-              target.mean[i];
+            target.standard_deviation[i] > 0.
+              ? target.marginal.value(scores[f][target.cells[i]],
+                                      target.mean[i],
+                                      target.standard_deviation[i])
+              : target.mean[i];
         if (target.residual_ratio >= 0.)
           {
             std::vector<double> &residual =
@@ -242,8 +244,8 @@ namespace Waker
   std::vector<std::string>
   RandomProperties<dim>::description() const
   {
-    return fields == nullptr ? std::vector<std::string>() :
-                               fields->description();
+    return fields == nullptr ? std::vector<std::string>()
+                             : fields->description();
   }
 
 

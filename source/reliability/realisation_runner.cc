@@ -108,9 +108,9 @@ namespace Waker
   {
     while (cases.size() <= attempt)
       {
-        Parameters smaller = parameters;
-        smaller.time.time_step =
-          std::ldexp(parameters.time.time_step, -static_cast<int>(cases.size()));
+        Parameters smaller     = parameters;
+        smaller.time.time_step = std::ldexp(parameters.time.time_step,
+                                            -static_cast<int>(cases.size()));
         cases.push_back(
           std::make_unique<const Case<dim>>(smaller, communicator));
       }
@@ -130,10 +130,11 @@ namespace Waker
 
   template <int dim>
   bool
-  RealisationRunner<dim>::run_to_end(const Case<dim> &the_case,
-                                     const volatile std::sig_atomic_t *interrupt,
-                                     State<dim> &state,
-                                     Record     &record) const
+  RealisationRunner<dim>::run_to_end(
+    const Case<dim>                  &the_case,
+    const volatile std::sig_atomic_t *interrupt,
+    State<dim>                       &state,
+    Record                           &record) const
   {
     const bool       inner_is_positive = parameters.water.side != "right";
     Realisation<dim> realisation(the_case, state);
@@ -159,9 +160,9 @@ namespace Waker
             if (stop != StopReason::none)
               {
                 record.stop_reason = to_string(stop);
-                record.outcome     = failure.flooded() ? Outcome::flooding :
-                                     failure.failed()  ? Outcome::initial_failure :
-                                                         Outcome::stable;
+                record.outcome     = failure.flooded() ? Outcome::flooding
+                                     : failure.failed() ? Outcome::initial_failure
+                                                        : Outcome::stable;
                 break;
               }
             if (interrupt != nullptr && *interrupt != 0)
@@ -197,7 +198,7 @@ namespace Waker
 
   template <int dim>
   std::optional<Record>
-  RealisationRunner<dim>::run(const double *noise,
+  RealisationRunner<dim>::run(const double                     *noise,
                               const volatile std::sig_atomic_t *interrupt)
   {
     const Clock::time_point start = Clock::now();
@@ -205,8 +206,8 @@ namespace Waker
     record.attempts = 0;
     do
       {
-        const Case<dim>        &the_case    = case_of_attempt(record.attempts++);
-        State<dim>              state       = initial_state(the_case);
+        const Case<dim>        &the_case = case_of_attempt(record.attempts++);
+        State<dim>              state    = initial_state(the_case);
         const Clock::time_point field_start = Clock::now();
         random_properties.apply(noise, state);
         record.field_time += seconds_since(field_start);
@@ -214,9 +215,8 @@ namespace Waker
           random_properties.mean_and_least(state);
         if (!run_to_end(the_case, interrupt, state, record))
           return {};
-      }
-    while (record.outcome == Outcome::numerical_failure &&
-           record.attempts < attempts);
+    } while (record.outcome == Outcome::numerical_failure &&
+             record.attempts < attempts);
     record.wall_time = seconds_since(start);
     return record;
   }

@@ -50,11 +50,8 @@ namespace Waker
 
   IndexCounter::IndexCounter(const MPI_Comm communicator)
   {
-    MPI_Comm_split_type(communicator,
-                        MPI_COMM_TYPE_SHARED,
-                        0,
-                        MPI_INFO_NULL,
-                        &node_communicator);
+    MPI_Comm_split_type(
+      communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node_communicator);
     int rank;
     MPI_Comm_rank(node_communicator, &rank);
 
@@ -98,8 +95,7 @@ namespace Waker
   {
     const std::uint64_t one = 1;
     std::uint64_t       drawn;
-    MPI_Fetch_and_op(
-      &one, &drawn, MPI_UINT64_T, 0, 0, MPI_SUM, window);
+    MPI_Fetch_and_op(&one, &drawn, MPI_UINT64_T, 0, 0, MPI_SUM, window);
     MPI_Win_flush(0, window);
     return node + n_nodes * drawn;
   }

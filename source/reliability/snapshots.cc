@@ -46,9 +46,9 @@ namespace Waker
   realisation_parameters(const Input &input, const std::uint64_t realisation)
   {
     Parameters        parameters = input.simulation;
-    const std::string which =
-      "realisation " + std::to_string(realisation) + " of seed " +
-      std::to_string(input.reliability.campaign.seed);
+    const std::string which = "realisation " + std::to_string(realisation) +
+                              " of seed " +
+                              std::to_string(input.reliability.campaign.seed);
     parameters.text = "# " + which + "\n" + parameters.text;
     parameters.hash = hash_of_text(parameters.hash + which);
     return parameters;
@@ -63,7 +63,7 @@ namespace Waker
            const std::vector<Record> &records,
            const Progress            &progress)
     {
-      std::set<std::pair<unsigned int, std::uint64_t>>        result;
+      std::set<std::pair<unsigned int, std::uint64_t>>         result;
       std::map<std::pair<unsigned int, Outcome>, unsigned int> count;
       for (const Record &record : records) // in order of number
         {
@@ -95,9 +95,9 @@ namespace Waker
         wanted.realisations.empty())
       return true;
 
-    unsigned int       number = 0;
-    bool               done   = true;
-    const unsigned int rank   = Utilities::MPI::this_mpi_process(communicator);
+    unsigned int       number  = 0;
+    bool               done    = true;
+    const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator);
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
     for (const auto &[scenario, realisation] :
          chosen(wanted, read_journals(folder, hash).records, progress))
@@ -106,10 +106,9 @@ namespace Waker
           continue;
         const Input &input      = *scenarios[scenario];
         Parameters   parameters = realisation_parameters(input, realisation);
-        parameters.output.directory =
-          join_path(join_path(folder, "snapshots"),
-                    std::to_string(scenario) + "-" +
-                      std::to_string(realisation));
+        parameters.output.directory = join_path(join_path(folder, "snapshots"),
+                                                std::to_string(scenario) + "-" +
+                                                  std::to_string(realisation));
         if (std::filesystem::exists(
               join_path(parameters.output.directory, "summary.json")))
           continue;

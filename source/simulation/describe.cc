@@ -29,8 +29,9 @@ namespace Waker
     double
     expected_memory(const std::size_t n_points, const std::size_t n_nodes)
     {
-      const double per_point = 8. * (4 + 7 * dim + 2 * 6 + 8 + 6 * dim) +
-                               sizeof(typename StressUpdate<dim>::PointTangent);
+      const double per_point =
+        8. * (4 + 7 * dim + 2 * 6 + 8 + 6 * dim) +
+        sizeof(typename StressUpdate<dim>::BlockTangent) / Material::block_size;
       const double per_node = 8. * (2 + 20 * dim);
       return 1e-6 * (per_point * n_points + per_node * n_nodes);
     }

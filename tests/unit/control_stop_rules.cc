@@ -26,7 +26,7 @@ namespace
   }
 
 
-  /// Decisions with the default limits: 1e-6 and 0.02 m/s for 1 s, after 1 s.
+  /// Decisions with the default limits: 1e-6 and 0.05 m/s for 1 s, after 1 s.
   struct Rules
   {
     StopReason operator()(const double         time,
@@ -42,7 +42,7 @@ namespace
     RestRecord     rest;
   };
 
-  constexpr double still = 0.5e-6, slow = 0.01, plastic = 2e-6, fast = 0.03;
+  constexpr double still = 0.5e-6, slow = 0.04, plastic = 2e-6, fast = 0.06;
 } // namespace
 
 

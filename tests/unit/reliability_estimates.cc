@@ -170,6 +170,7 @@ TEST(Estimates, convergence_goes_by_number_not_by_order)
 TEST(Histograms, by_outcome_with_empty_bins)
 {
   const auto bins = histogram({{0.25, Outcome::stable},
+                               {0.15, Outcome::stable},
                                {0.25, Outcome::initial_failure},
                                {0., Outcome::flooding},
                                {0.1, Outcome::numerical_failure},
@@ -181,7 +182,8 @@ TEST(Histograms, by_outcome_with_empty_bins)
   EXPECT_EQ(bins[0].counts[1], 1U);
   EXPECT_EQ(bins[1].counts[2], 1U);
   EXPECT_EQ(bins[3].counts[0] + bins[3].counts[1] + bins[3].counts[2], 0U);
-  EXPECT_EQ(bins[6].counts[0], 1U); // 0.25 / 0.05 is below 5 by rounding
+  EXPECT_EQ(bins[4].counts[0], 1U); // 0.15 / 0.05 is below 3 by rounding
+  EXPECT_EQ(bins[6].counts[0], 1U);
   EXPECT_EQ(bins[6].counts[1], 1U);
   EXPECT_TRUE(histogram({}, 1.).empty());
 }
@@ -205,7 +207,7 @@ TEST(Histograms, residual_geometry_and_resistance)
     {{2, 3, 6.4, 5, false}},
     {{2, 3, 6.1, 5, false}, {5, 6, 0, 4.7, true}},
     {{2, 3, 3.5, 5, false}, {5, 6, 0, 4.6, true}},
-    {{2, 2.5, 0.2, 4.7, true}}};
+    {{2, 2.5, 1.3, 4.7, true}}};
 
   EXPECT_NEAR(residual_heights(records, 4.75)[1].value, 0.15, 1e-12);
   EXPECT_EQ(residual_heights(records, 4.75)[3].value, 0.);

@@ -96,6 +96,20 @@ TEST(Fragility, curve_passes_its_points_and_never_leaves_them)
   for (double h = 3.; h < 4.6; h += 0.03)
     EXPECT_NEAR(smooth(h), normal_distribution(h - 5.), 3e-4);
 
+  // a parabola through the first three points would fall at first
+  const FragilityCurve steep({3., 4., 5.}, {0.001, 0.01, 0.3});
+  const FragilityCurve flat({3., 4., 5.}, {0., 0.29, 0.299});
+  for (double h = 3.; h < 5.; h += 0.05)
+    {
+      EXPECT_GE(steep.slope(h), 0.);
+      EXPECT_GE(flat.slope(h), 0.);
+    }
+
+  // and rise beyond the second
+  const FragilityCurve peak({3., 4., 5.}, {0.1, 0.11, 0.});
+  for (double h = 3.; h < 5.; h += 0.05)
+    EXPECT_LE(peak(h), 0.11 + 1e-15);
+
   const FragilityCurve line({1., 2.}, {0.1, 0.3});
   EXPECT_NEAR(line(1.25), 0.15, 1e-15);
   EXPECT_EQ(FragilityCurve({1.}, {0.2})(3.), 0.2);

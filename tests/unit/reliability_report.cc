@@ -175,6 +175,14 @@ TEST(Report, tables_and_json_say_the_same)
   EXPECT_LT(yearly["P_F"]["low"], yearly["P_F"]["estimate"]);
   EXPECT_LT(yearly["P_F"]["estimate"],
             json["scenarios"][0]["by_geometry"]["P_F"]["estimate"]);
+  const LevelDistribution gumbel = LevelDistribution::gumbel(3., 0.3);
+  EXPECT_NEAR(
+    yearly["share_from_above_the_highest"].get<double>() *
+      yearly["P_F"]["estimate"].get<double>(),
+    gumbel.exceedance(4.75) *
+      json["scenarios"][0]["by_geometry"]["P_F"]["estimate"].get<double>(),
+    1e-12);
+  EXPECT_NEAR(yearly["P_level_above_the_crest"], gumbel.exceedance(5.), 1e-15);
   EXPECT_NEAR(yearly["risk"]["risk_euro"]["high"].get<double>(),
               1e8 * yearly["P_F"]["high"].get<double>(),
               1e-3);

@@ -93,6 +93,40 @@ TEST(Slides, two_with_a_rest_between_them)
 }
 
 
+TEST(Slides, width_may_grow_and_height_may_go_alone)
+{
+  // outwards (fig. 5.2e), twice
+  const auto outwards = slides_of(
+    {{0, 11, 5}, {3, 11, 5}, {4, 13, 5}, {6, 13, 5}, {7, 15, 5}, {9, 15, 5}});
+  ASSERT_EQ(outwards.size(), 2U);
+  EXPECT_NEAR(outwards[0].width, 13., 0.051);
+  EXPECT_NEAR(outwards[1].start, 6., 0.05);
+
+  const auto down = slides_of({{0, 11, 6},
+                               {3, 11, 6},
+                               {4, 11, 5.5},
+                               {6, 11, 5.5},
+                               {7, 11, 5},
+                               {9, 11, 5}});
+  ASSERT_EQ(down.size(), 2U);
+  EXPECT_NEAR(down[0].height, 5.5, 0.051);
+}
+
+
+TEST(Slides, change_is_measured_from_the_previous_slide)
+{
+  // after a large slide a small movement is none
+  EXPECT_EQ(slides_of({{0, 11, 5},
+                       {3, 11, 5},
+                       {4, 6, 5},
+                       {6, 6, 5},
+                       {6.1, 5.85, 5},
+                       {9, 5.85, 5}})
+              .size(),
+            1U);
+}
+
+
 TEST(Slides, a_short_rest_does_not_part_them)
 {
   const std::vector<TracePoint> corners = {
@@ -266,6 +300,8 @@ TEST(FailureClasses, outer_slope)
   // too slow to have moved by 0.5 m after one second
   record.first_outward = {};
   record.inward        = {};
+  EXPECT_EQ(class_of(record), FailureClass::outer);
+  record.outward = {};
   EXPECT_EQ(class_of(record), FailureClass::outer);
 }
 

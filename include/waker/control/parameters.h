@@ -31,7 +31,7 @@ namespace Waker
     bool at_rest     = true;
     /// Both must be below their limit for `rest_duration`:
     double rest_plastic_strain = 1e-6; // mean increment per step
-    double rest_velocity       = 0.02; // rms displacement rate, m/s
+    double rest_velocity       = 0.05; // rms displacement rate, m/s
     double rest_duration       = 1.;   // s
     /// Stop at initial failure (strength reduction does).
     bool on_initial_failure = false;

@@ -56,9 +56,9 @@ namespace Waker
     /**
      * Between the averages over two cells that are `lag` cells apart, for unit
      * variance of a point: lag 0 gives the variance function gamma of the cell
-     * (section 7.3 of the notes on numerics; Vanmarcke 1983). In closed form where
-     * there is one, otherwise by Gauss quadrature with a relative error below
-     * 1e-7 near the origin.
+     * (section 7.3 of the notes on numerics; Vanmarcke 1983). In closed form
+     * where there is one, otherwise by Gauss quadrature with a relative error
+     * below 1e-9 near the origin.
      */
     double
     between_cells(const std::array<double, 3> &cell_size,

@@ -31,6 +31,8 @@ namespace Waker
     double squared_displacement = 0.; // sum m |du|^2, Mg m^2
     double mass                 = 0.; // sum m, Mg
     double largest_displacement = 0.; // of a point in the step, m
+    double kinetic_before       = 0.; // kinetic energy of the points, kJ
+    double kinetic_after        = 0.;
   };
 
   /**

@@ -86,6 +86,22 @@ namespace Waker
 
     virtual double
     bulk_modulus() const = 0;
+
+    /**
+     * The algorithmic tangents that update() would give for the block, which
+     * may be overwritten.
+     *
+     * @param n_components the number of the components that are wanted
+     * @param components their numbers, of xx, yy, zz, xy, xz, yz
+     * @param tangent out: [n_components a + b][point], d stress_a / d strain_b
+     *        (kPa), strain_b as a tensor's entry, taken once
+     */
+    virtual void
+    tangent_block(const unsigned int  n_points,
+                  Block              &block,
+                  const unsigned int  n_components,
+                  const unsigned int *components,
+                  double (*tangent)[block_size]) const;
   };
 } // namespace Waker
 

@@ -51,6 +51,13 @@ namespace Waker
     void
     update_block(const unsigned int n_points, Block &block) const override;
 
+    void
+    tangent_block(const unsigned int  n_points,
+                  Block              &block,
+                  const unsigned int  n_components,
+                  const unsigned int *components,
+                  double (*tangent)[block_size]) const override;
+
   private:
     double initial_strength;
     double residual_strength;

@@ -42,16 +42,16 @@ namespace Waker
       return *weights;
     }
 
-    /// The points' tangents, for assembly.
-    const std::vector<typename StressUpdate<dim>::PointTangent> &
-    point_tangents() const
-    {
-      return tangents;
-    }
+    /// The tangent of a point, for assembly: the change of its volume times
+    /// stress with the gradient of the increment.
+    void
+    point_tangent(const std::size_t p,
+                  double (&A)[dim * (dim + 1) / 2][dim * dim]) const;
 
   private:
     const Weights<dim>                                   *weights;
-    std::vector<typename StressUpdate<dim>::PointTangent> tangents;
+    std::vector<typename StressUpdate<dim>::BlockTangent> tangents;
+    NodalVector                                           diagonal;
   };
 } // namespace Waker
 

@@ -9,6 +9,7 @@
 #include <waker/mechanics/system_operator.h>
 #include <waker/nodes/fixities.h>
 #include <waker/nodes/nodal_state.h>
+#include <waker/nodes/reached_nodes.h>
 
 namespace Waker
 {
@@ -81,6 +82,7 @@ namespace Waker
     ConsistentTangent<dim>   consistent;
     DoubleMappedTangent<dim> double_mapped;
     LinearSolver             linear_solver;
+    ReachedNodes             reached;
     NodalVector              R;
     NodalVector              correction;
   };

@@ -6,6 +6,7 @@
 
 #include <waker/mapping/weights.h>
 #include <waker/materials/material.h>
+#include <waker/mechanics/block_motion.h>
 #include <waker/nodes/nodal_vector.h>
 #include <waker/particles/material_points.h>
 
@@ -64,17 +65,20 @@ namespace Waker
              const NodalVector         &increment,
              NodalVector               &internal_force);
 
-    /// The derivative of V_p stress_p with respect to the gradient of the
-    /// increment (see Kinematics::stress_derivative).
-    struct PointTangent
+    /// The derivatives of V_p stress_p with respect to the gradient of the
+    /// increment (see Kinematics::stress_derivative), of the points 16 b + l:
+    /// A[a][dim c + d][l].
+    struct BlockTangent
     {
-      double A[dim * (dim + 1) / 2][dim * dim];
+      double A[dim * (dim + 1) / 2][dim * dim][Material::block_size];
     };
 
-    /// The tangents of all points at the last evaluation (kN m or kN/m).
+    /// The tangents of block b at the last evaluation (kN m or kN/m); entries
+    /// without a point are zero.
     void
-    tangents(const MaterialPoints<dim> &points,
-             std::vector<PointTangent> &tangents) const;
+    tangent(const MaterialPoints<dim> &points,
+            const std::size_t          b,
+            BlockTangent              &tangent) const;
 
     /// The materials' algorithmic tangents there (kPa), for double mapping.
     void
@@ -82,18 +86,43 @@ namespace Waker
                       std::vector<SymmetricTensor<4, 3>> &tangents) const;
 
     /// Write the stresses and variables of the last evaluation to the points,
-    /// and sum up what happened.
+    /// and sum up what happened. They are computed once more: cheaper than to
+    /// keep them.
     StressReport
     accept(MaterialPoints<dim> &points) const;
 
   private:
-    /// evaluate() for points begin..end-1, at most Material::block_size and of
-    /// one material.
+    /// Scalars per point that fit on the stack; more is a material's mistake.
+    static constexpr unsigned int max_variables = 16;
+
+    /// Points begin..end-1: neighbours of one material, within a block.
+    struct Range
+    {
+      std::size_t begin, end;
+    };
+
+    /// The range that starts with the point `begin`.
+    static Range
+    range_from(const MaterialPoints<dim> &points, const std::size_t begin);
+
+    /// What a block needs for its material, unused entries zero.
+    struct Work
+    {
+      Material::Block  block;
+      BlockMotion<dim> motion;
+      double           variables[max_variables][Material::block_size];
+    };
+
+    /// Take stresses, variables and gradients, and move the block.
     void
-    evaluate_block(const MaterialPoints<dim> &points,
+    load(const MaterialPoints<dim> &points,
+         const Range               &range,
+         Work                      &work) const;
+
+    void
+    evaluate_range(const MaterialPoints<dim> &points,
                    const Weights<dim>        &weights,
-                   const std::size_t          begin,
-                   const std::size_t          end,
+                   const Range               &range,
                    const double              *increment,
                    double                    *force);
 
@@ -101,14 +130,12 @@ namespace Waker
     void
     find_variables(const MaterialPoints<dim> &points);
 
-    const Materials              *materials;
-    bool                          objective_rate;
-    std::vector<std::vector<int>> variable_arrays; // per material
-    unsigned int                  n_variables; // largest number per material
-    std::vector<Tensor<2, dim>>   gradients;   // of the increment
-    std::vector<SymmetricTensor<2, 3>> new_stress;    // per point
-    std::vector<double>                new_variables; // n_variables per point
-    std::vector<double>                dissipation;   // per point, kPa
+    const Materials *materials;
+    bool             objective_rate;
+    /// Names of the materials' variables, and their places among the scalars.
+    std::vector<std::vector<std::string>> variable_names;
+    std::vector<std::vector<int>>         variable_arrays;
+    std::vector<Tensor<2, dim>>           gradients; // of the increment
   };
 } // namespace Waker
 

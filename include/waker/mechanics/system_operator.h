@@ -4,6 +4,7 @@
 
 #include <deal.II/lac/diagonal_matrix.h>
 
+#include <waker/mechanics/gmres.h>
 #include <waker/nodes/fixities.h>
 #include <waker/nodes/operator.h>
 
@@ -70,13 +71,6 @@ namespace Waker
   };
 
 
-  /// What a linear solve did.
-  struct LinearReport
-  {
-    unsigned int iterations = 0;
-    bool         converged  = false;
-  };
-
   /**
    * Solve A x = b from x = 0 with Jacobi's preconditioner: by conjugate
    * gradients if A says it is symmetric (GMRES if that breaks down in
@@ -103,6 +97,7 @@ namespace Waker
 
   private:
     DiagonalMatrix<NodalVector> jacobi;
+    Gmres                       gmres;
   };
 } // namespace Waker
 

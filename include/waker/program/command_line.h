@@ -39,8 +39,8 @@ namespace Waker
     std::uint64_t last     = -1;
     bool          all      = false; // of `merge`: surplus realisations, too
 
-    std::string              format        = "prm"; // of `parameters`
-    std::string              text;                  // to print for `none`
+    std::string format = "prm"; // of `parameters`
+    std::string text;           // to print for `none`
   };
 
   /// @throws UserError for anything that cannot be understood

@@ -11,11 +11,11 @@ namespace Waker
   /// One value of a parameter sweep.
   struct ScenarioInfo
   {
-    std::string value;           // as the user wrote it; empty without a sweep
-    double      water_level = 0.; // m
-    double      crest_level = 0.; // of the drawn profile, m
-    std::vector<double> scales;   // of fluctuation of the first field, m
-    std::string hash;            // of all that decides its realisations
+    std::string         value; // as the user wrote it; empty without a sweep
+    double              water_level = 0.; // m
+    double              crest_level = 0.; // of the drawn profile, m
+    std::vector<double> scales; // of fluctuation of the first field, m
+    std::string         hash;   // of all that decides its realisations
   };
 
   /**
@@ -27,15 +27,15 @@ namespace Waker
     static constexpr unsigned int current_schema_version = 1;
 
     unsigned int              schema_version = current_schema_version;
-    std::string               version;     // of the program
+    std::string               version; // of the program
     std::string               compiler;
     std::string               build_flags;
-    std::uint64_t             seed = 0;
+    std::uint64_t             seed         = 0;
     std::uint64_t             realisations = 0; // planned per scenario
-    std::string               hash;       // over all scenarios
-    std::string               swept_parameter; // "Water/Level", or empty
-    std::vector<ScenarioInfo> scenarios;  // at least one
-    std::string               parameters; // the whole .prm
+    std::string               hash;             // over all scenarios
+    std::string               swept_parameter;  // "Water/Level", or empty
+    std::vector<ScenarioInfo> scenarios;        // at least one
+    std::string               parameters;       // the whole .prm
 
     void
     write(const std::string &path) const;

@@ -60,9 +60,9 @@ namespace Waker
   /// Section "Snapshots": realisations that are run again with full output.
   struct SnapshotParameters
   {
-    unsigned int               first           = 0; // of each scenario
-    unsigned int               of_each_outcome = 0; // lowest numbers
-    std::vector<unsigned int> realisations;         // these
+    unsigned int              first           = 0; // of each scenario
+    unsigned int              of_each_outcome = 0; // lowest numbers
+    std::vector<unsigned int> realisations;        // these
 
     void
     add_parameters(ParameterHandler &prm);

@@ -69,8 +69,8 @@ namespace Waker
     /// run() for realisation i of a campaign: the noise is that of the key
     /// (seed, i, stream 0).
     std::optional<Record>
-    run(const std::uint64_t                seed,
-        const std::uint64_t                realisation,
+    run(const std::uint64_t               seed,
+        const std::uint64_t               realisation,
         const volatile std::sig_atomic_t *interrupt);
 
   private:

@@ -1,0 +1,93 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Put our numbers beside every number that the thesis prints.
+
+    /usr/bin/python3 contrib/plots/chapter5_table.py --analysis1 DIR \\
+        --analysis2 DIR --analysis3 DIR [--page doc/results/chapter5/README.md]
+
+writes the tables between the lines `<!-- begin NAME -->` and `<!-- end NAME -->`
+of the page (names: comparison, campaigns); the rest of the page stays. Without
+--page it prints them.
+"""
+
+import argparse
+import re
+import sys
+
+import numpy as np
+
+from store import Store
+from thesis_numbers import Stores
+from thesis_table import ROWS
+
+PENDING = "*not run yet*"
+
+
+def comparison(stores):
+    chosen = Stores(stores)
+    lines = []
+    for title, entries in ROWS:
+        lines += ["", f"### {title}", "",
+                  "| what | where | the thesis | ours | 95 % interval | N |",
+                  "|---|---|---|---|---|---|"]
+        for entry in entries:
+            if entry.ours is None:
+                cells = (entry.instead, "", "")
+            else:
+                cells = entry.ours(chosen) or (PENDING, "", "")
+            lines.append("| " + " | ".join(
+                (entry.what, entry.where, entry.printed, *cells)) + " |")
+    return "\n".join(lines[1:])
+
+
+def campaigns(stores):
+    lines = ["| analysis | scenario | N | failed numerically | wall time of a "
+             "realisation (s) | per core-hour | Waker | parameters |",
+             "|---|---|---|---|---|---|---|---|"]
+    for number, store in sorted(stores.items()):
+        for scenario in store.scenarios:
+            seconds = np.nanmean(scenario["wall_time"]) if len(
+                scenario.realisation) else np.nan
+            rate = "–" if np.isnan(seconds) else f"{3600 / seconds:.0f}"
+            name = f"θ_h = {scenario.scale_x:g} m, H_i − h = " \
+                   f"{scenario.freeboard:g} m"
+            lines.append(
+                f"| {number} | {name} | {scenario.n} | "
+                f"{scenario.n_numerical_failures} | {seconds:.3f} | {rate} | "
+                f"{store.attribute('version')} | `{scenario.hash[:16]}` |")
+    return "\n".join(lines) if stores else PENDING
+
+
+def replace(page, name, text):
+    pattern = re.compile(rf"(<!-- begin {name} -->\n).*?(<!-- end {name} -->)",
+                         re.DOTALL)
+    if not pattern.search(page):
+        sys.exit(f"the page has no lines '<!-- begin {name} -->' and "
+                 f"'<!-- end {name} -->'")
+    return pattern.sub(lambda match: match[1] + text + "\n" + match[2], page)
+
+
+def main():
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    for number in (1, 2, 3):
+        parser.add_argument(f"--analysis{number}", metavar="DIR")
+    parser.add_argument("--page", metavar="MARKDOWN")
+    arguments = parser.parse_args()
+    stores = {number: Store(folder) for number in (1, 2, 3)
+              if (folder := getattr(arguments, f"analysis{number}"))}
+    tables = {"comparison": comparison(stores), "campaigns": campaigns(stores)}
+    if not arguments.page:
+        print("\n\n".join(tables.values()))
+        return
+    with open(arguments.page, encoding="utf-8") as file:
+        page = file.read()
+    for name, text in tables.items():
+        page = replace(page, name, text)
+    with open(arguments.page, "w", encoding="utf-8") as file:
+        file.write(page)
+    print(arguments.page)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,184 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Figures 5.6, 5.7, 5.8, 5.12 and 5.13: probabilities against time, scale of
+fluctuation and water level."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+import figure_files as look
+from estimates import before, proportion
+
+EVENTS = (("initial_failure", "S1", "initial failure mechanism"),
+          ("flooding", "F", "flooding"))
+PRINTED_BASE = {"S1": 0.12, "F": 0.09, "F_given_S1": 0.75}  # section 5.4.1
+
+
+def last_event(scenarios):
+    """End of the time axis (s): a whole 5 s after the last event."""
+    times = [scenario.times(event) for scenario in scenarios
+             for event, _, _ in EVENTS]
+    last = max((t.max() for t in times if len(t)), default=5.0)
+    return 5.0 * np.ceil((last + 0.5) / 5.0)
+
+
+def time_axis(panel, end):
+    panel.set_xlim(0.0, end)
+    panel.set_xticks(np.arange(0.0, end + 0.1, 5.0))
+
+
+def figure_5_6(files, base):
+    """Analysis 1: probability per half second, and before a given time."""
+    end, width = last_event([base]), 0.5
+    edges = np.arange(0.0, end + width / 2, width)
+    grid = np.arange(0.0, end + 0.05, 0.1)
+    figure, axes = plt.subplots(2, 2, figsize=(7.2, 4.6), sharex=True,
+                                sharey="row",
+                                gridspec_kw={"height_ratios": [1.5, 1]})
+    rows = []
+    for column, (event, name, words) in enumerate(EVENTS):
+        style = look.S1 if name == "S1" else look.FLOOD
+        times = base.times(event)
+        estimate, low, high = before(times, base.n, grid)
+        upper, lower = axes[:, column]
+        upper.set_title(f"({'ab'[column]}) {words}")
+        upper.fill_between(grid, low, high, color=style["color"], alpha=0.25,
+                           linewidth=0, label="95 % interval")
+        upper.plot(grid, estimate, color=style["color"],
+                   label=f"before $t$, $N$ = {base.n}")
+        upper.axhline(PRINTED_BASE[name], color="black", linestyle="--",
+                      linewidth=1.0,
+                      label=f"thesis, all times: {PRINTED_BASE[name]:.2f}")
+        upper.legend(loc="lower right")
+        counts, _ = np.histogram(times, edges)
+        lower.bar(edges[:-1], counts / max(1, base.n), width, align="edge",
+                  color=style["color"], edgecolor="white", linewidth=0.5)
+        lower.set_xlabel("$t$ (s)")
+        rows += [[name, "before", t, "", e, l, h]
+                 for t, e, l, h in zip(grid, estimate, low, high)]
+        rows += [[name, "in bin", a, b, *proportion(int(k), base.n)]
+                 for a, b, k in zip(edges[:-1], edges[1:], counts)]
+    axes[0, 0].set_ylabel("probability before $t$")
+    axes[1, 0].set_ylabel(f"probability per {width:g} s")
+    axes[0, 0].set_ylim(bottom=0.0)
+    time_axis(axes[0, 0], end)
+    files.save(figure, "figure_5_06", [base.store],
+               ["event", "kind", "time_s", "until_s", "probability", "low",
+                "high"], rows,
+               [f"{base.n} realisations, {base.n_numerical_failures} more "
+                "failed numerically"])
+
+
+def against_time(files, name, scenarios, values, symbol, unit):
+    """P(S1) and P(F) before a given time, a line per scenario."""
+    end = last_event(scenarios)
+    grid = np.arange(0.0, end + 0.05, 0.1)
+    colours = look.sequence(len(scenarios))
+    figure, axes = look.panels(2, 3.4, sharex=True, sharey=True)
+    rows = []
+    for panel, (event, short, words) in zip(axes, EVENTS):
+        panel.set_title(panel.get_title(loc="left") + " " + words)
+        for colour, scenario, value in zip(colours, scenarios, values):
+            estimate, low, high = before(scenario.times(event), scenario.n,
+                                         grid)
+            panel.fill_between(grid, low, high, color=colour, alpha=0.15,
+                               linewidth=0)
+            panel.plot(grid, estimate, color=colour, label=f"{value:g}")
+            rows += [[short, value, t, e, l, h] for t, e, l, h in
+                     zip(grid, estimate, low, high)]
+        panel.set_xlabel("$t$ (s)")
+    axes[0].set_ylabel("probability before $t$")
+    time_axis(axes[0], end)
+    axes[0].set_ylim(bottom=0.0)
+    handles, labels = axes[0].get_legend_handles_labels()
+    figure.legend(handles[::-1], labels[::-1], loc="center left",
+                  bbox_to_anchor=(1.0, 0.5),
+                  title=f"{symbol} ({unit})\nband: 95 %")
+    files.save(figure, name, look.stores_of(scenarios),
+               ["event", "scale_m" if "theta" in symbol else "freeboard_m",
+                "time_s", "probability", "low", "high"], rows)
+
+
+def error_bars(panel, x, results, shift=1.0, add=0.0, **style):
+    """Estimates with their intervals, moved aside so that they do not hide
+    each other."""
+    x = np.asarray(x) * shift + add
+    estimate, low, high = (np.array([r[i] for r in results]) for i in range(3))
+    known = ~np.isnan(estimate)
+    panel.plot(x[known], estimate[known], markersize=5, **style)
+    panel.vlines(x[known], low[known], high[known], color=style["color"],
+                 linewidth=1.2)
+    if (~known).any():
+        panel.vlines(x[~known], 0, 1, color=style["color"], linestyle=":",
+                     linewidth=1.2, label="no initial failure: unknown")
+
+
+def against_value(files, name, scenarios, values, label, logarithmic, printed):
+    """P(S1), P(F) and P(F|S1) against the swept value; `printed` draws what
+    the thesis prints."""
+    figure, axes = look.panels(2, 3.2)
+    results = [scenario.probabilities() for scenario in scenarios]
+    get = lambda key: [result[key] for result in results]
+    span = max(values) - min(values)
+    aside = ({"shift": 1.03} if logarithmic else {"add": 0.012 * span})
+    error_bars(axes[0], values, get("S1"), **look.S1)
+    error_bars(axes[0], values, get("F"), **aside, **look.FLOOD)
+    thesis = [result["S1_thesis"] for result in results]
+    if thesis != get("S1"):
+        axes[0].plot(values, [r[0] for r in thesis], color=look.BLUE,
+                     marker="o", markerfacecolor="white", linestyle=":",
+                     linewidth=1.0, markersize=4, zorder=1.5,
+                     label="$P(S_1)$ if only $W < W_i$ counts")
+    error_bars(axes[1], values, get("F_given_S1"), **look.GIVEN)
+    axes[0].set_ylabel("probability")
+    axes[1].set_ylabel("$P(F|S_1)$")
+    axes[1].set_ylim(-0.02, 1.02)
+    printed(axes)
+    for panel in axes:
+        panel.set_xlabel(label)
+        if logarithmic:
+            panel.set_xscale("log", base=2)
+            panel.set_xticks(values, [f"{value:g}" for value in values])
+            panel.minorticks_off()
+        panel.legend(loc="lower center", bbox_to_anchor=(0.5, 1.06),
+                     ncol=2, columnspacing=1.0)
+    axes[0].set_ylim(bottom=-0.004)
+    rows = []
+    for scenario, value, result in zip(scenarios, values, results):
+        for key, (estimate, low, high, count, n) in result.items():
+            rows.append([value, key, count, n, estimate, low, high])
+    files.save(figure, name, look.stores_of(scenarios),
+               ["scale_m" if logarithmic else "freeboard_m", "quantity",
+                "count", "n", "estimate", "low", "high"], rows)
+
+
+def printed_5_8(axes):
+    style = dict(look.THESIS)
+    axes[0].plot([24, 24], [PRINTED_BASE["S1"], PRINTED_BASE["F"]], **style)
+    axes[1].plot([24], [PRINTED_BASE["F_given_S1"]], **style)
+    # "from 0.9 at large ... to below 0.2 at small" scales (5.4.2, 5.5)
+    axes[1].plot([48], [0.9], **dict(
+        style, marker="p", label='thesis: "large" scales'))
+    axes[1].hlines(0.2, 0.5, 2.0, color="black", linestyle="--", linewidth=1,
+                   label="thesis: below this")
+
+
+def printed_5_13(axes):
+    axes[0].plot([0.25, 0.25], [PRINTED_BASE["S1"], PRINTED_BASE["F"]],
+                 **look.THESIS)
+    axes[1].plot([0.25], [PRINTED_BASE["F_given_S1"]], **look.THESIS)
+
+
+def draw_scales(files, scenarios):
+    """Figures 5.7 and 5.8."""
+    values = [scenario.scale_x for scenario in scenarios]
+    against_time(files, "figure_5_07", scenarios, values, r"$\theta_h$", "m")
+    against_value(files, "figure_5_08", scenarios, values,
+                  r"$\theta_h$ (m)", True, printed_5_8)
+
+
+def draw_water_levels(files, scenarios):
+    """Figures 5.12 and 5.13."""
+    values = [scenario.freeboard for scenario in scenarios]
+    against_time(files, "figure_5_12", scenarios, values, "$H_i-h$", "m")
+    against_value(files, "figure_5_13", scenarios, values, "$H_i-h$ (m)",
+                  False, printed_5_13)

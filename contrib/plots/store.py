@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Reading the store of a campaign: results.h5 and report/ in its folder, both
+written by `waker merge`.
+
+A Scenario gives its quantities as arrays over the realisations that have been
+run, in the order of their numbers:
+
+    base = Store("output-analysis1").scenarios[0]
+    (base["outcome"] == FLOODING).mean()
+"""
+
+import csv
+import json
+import os
+import sys
+
+import h5py
+import numpy as np
+
+from estimates import proportion
+
+# Flags of "outcome" and "failure_class" in the store.
+STABLE, INITIAL_FAILURE, FLOODING, NUMERICAL_FAILURE = range(4)
+NONE, INITIAL_ONLY, RETROGRESSIVE, HORIZONTAL, OUTER = range(5)
+OUTCOMES = ("stable", "initial failure", "flooding", "numerical failure")
+CLASSES = ("none", "initial only", "retrogressive", "horizontal", "outer")
+
+
+def text(value):
+    return value.decode() if isinstance(value, bytes) else str(value)
+
+
+class Scenario:
+    """One value of the swept parameter: n realisations that have been run."""
+
+    def __init__(self, store, index):
+        self.store, self.index = store, index
+        file = store.file
+        self.value = text(file["scenario_value"][index])
+        self.hash = text(file["scenario_hash"][index])
+        self.water_level = float(file["water_level"][index])  # m
+        self.crest_level = float(file["crest_level"][index])  # m
+        self.scale_x = float(file["scale_x"][index])  # theta_h, m
+        self.scale_y = float(file["scale_y"][index])  # theta_v, m
+        self.ran = file["outcome"][index, :] >= 0
+        self.realisation = file["realisation"][:][self.ran]
+        self._values = {}
+
+    def __getitem__(self, name):
+        """A quantity: array of n, or of n x slides."""
+        if name not in self._values:
+            self._values[name] = self.store.file[name][self.index][self.ran]
+        return self._values[name]
+
+    @property
+    def freeboard(self):
+        """H_i - h of the drawn profile (m)."""
+        return self.crest_level - self.water_level
+
+    @property
+    def counted(self):
+        """True where a realisation takes part in the probabilities: a
+        numerical failure has no outcome, and is counted apart."""
+        return self["outcome"] != NUMERICAL_FAILURE
+
+    @property
+    def n(self):
+        return int(self.counted.sum())
+
+    @property
+    def n_numerical_failures(self):
+        return int((~self.counted).sum())
+
+    def times(self, event):
+        """Times (s) of "initial_failure", "initial_failure_thesis" or
+        "flooding", of those in which it occurred."""
+        name = {"initial_failure": "initial_failure_time",
+                "initial_failure_thesis": "initial_failure_time_thesis",
+                "flooding": "flooding_time"}[event]
+        times = self[name][self.counted]
+        return times[~np.isnan(times)]
+
+    def probabilities(self):
+        """{"S1": ..., "S1_thesis": ..., "F": ..., "F_given_S1": ...}, each
+        (estimate, low, high, count, of how many) with the 95 % interval."""
+        n_s1, n_thesis, n_f = (
+            len(self.times(event)) for event in
+            ("initial_failure", "initial_failure_thesis", "flooding"))
+        return {name: proportion(count, n) + (count, n)
+                for name, count, n in (("S1", n_s1, self.n),
+                                       ("S1_thesis", n_thesis, self.n),
+                                       ("F", n_f, self.n),
+                                       ("F_given_S1", n_f, n_s1))}
+
+    def residual(self):
+        """True for the dykes with a residual geometry: failed, not flooded."""
+        return self["outcome"] == INITIAL_FAILURE
+
+
+class Store:
+    """The folder of a campaign."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        path = os.path.join(folder, "results.h5")
+        if not os.path.exists(path):
+            sys.exit(f"{path}: no such file; first: waker merge {folder}")
+        self.file = h5py.File(path, "r")
+        schema = int(self.file.attrs["schema_version"])
+        if schema != 1:
+            sys.exit(f"{path}: schema version {schema}; known: 1")
+        self.scenarios = [Scenario(self, index)
+                          for index in range(len(self.file["scenario_value"]))]
+        self.check_report()
+
+    def attribute(self, name):
+        return text(self.file.attrs[name])
+
+    def describe(self):
+        """One line for the head of a CSV file."""
+        return (f"Waker {self.attribute('version')}, parameters "
+                f"{self.attribute('parameters_hash')}, seed "
+                f"{self.attribute('seed')}")
+
+    def report(self, name):
+        """Rows of report/<name>.csv as dictionaries; empty if there is none."""
+        path = os.path.join(self.folder, "report", name + ".csv")
+        if not os.path.exists(path):
+            return []
+        with open(path, encoding="utf-8", newline="") as file:
+            lines = [line for line in file if not line.startswith("#")]
+        return list(csv.DictReader(lines))
+
+    def report_json(self):
+        path = os.path.join(self.folder, "report", "report.json")
+        if not os.path.exists(path):
+            return {}
+        with open(path, encoding="utf-8") as file:
+            return json.load(file)
+
+    def check_report(self):
+        """Two programs count the same things: say so if they differ."""
+        for row in self.report("probabilities"):
+            scenario = self.scenarios[int(row["scenario"])]
+            ours = scenario.probabilities()
+            for name, expected in ours.items():
+                key = "P_" + name
+                if key not in row:
+                    continue
+                given = [row[key], row[key + "_low"], row[key + "_high"]]
+                given = [float(x) if x not in ("", "null") else np.nan
+                         for x in given]
+                if not np.allclose(given, expected[:3], atol=2e-4,
+                                   equal_nan=True):
+                    print(f"warning: {self.folder}: scenario {row['scenario']}:"
+                          f" report has {key} = {given}, the store gives "
+                          f"{list(expected[:3])}", file=sys.stderr)
+
+
+def with_base_case(scenarios, base):
+    """The scenarios of a sweep, with the base case of analysis 1 in place of
+    the same one (same hash) if that has fewer realisations."""
+    if base is None:
+        return list(scenarios)
+    return [base if scenario.hash == base.hash and base.n > scenario.n
+            else scenario for scenario in scenarios]

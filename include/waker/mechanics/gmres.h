@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_mechanics_gmres_h
+#define waker_mechanics_gmres_h
+
+#include <waker/nodes/operator.h>
+
+#include <vector>
+
+namespace Waker
+{
+  /// What a linear solve did.
+  struct LinearReport
+  {
+    unsigned int iterations = 0;
+    bool         converged  = false;
+  };
+
+  /**
+   * GMRES from x = 0, preconditioned from the right with a diagonal (Saad 2003,
+   * algorithm 9.5), on the equations that exist: most nodes of the grid hold no
+   * soil. The few iterations that an implicit step needs are cheap next to
+   * those of a general solver, and allocate nothing but the first time.
+   */
+  class Gmres
+  {
+  public:
+    /// @param inverse_diagonal the preconditioner; 0 where there is no equation
+    void
+    prepare(const NodalVector &inverse_diagonal);
+
+    /// Solve A x = b; x is the best iterate even without convergence, and 0
+    /// where there is no equation.
+    /// @param tolerance relative reduction of the residual
+    LinearReport
+    solve(const Operator    &A,
+          NodalVector       &x,
+          const NodalVector &b,
+          const double       tolerance,
+          const unsigned int max_iterations);
+
+  private:
+    /// Iterations before a restart.
+    static constexpr unsigned int restart = 38;
+
+    /// w = A M^-1 v on the equations that exist.
+    void
+    product(const Operator            &A,
+            const std::vector<double> &v,
+            std::vector<double>       &w);
+
+    std::vector<unsigned int>        dofs;
+    std::vector<double>              preconditioner;
+    std::vector<std::vector<double>> basis;
+    std::vector<double>              solution; // M x
+    NodalVector                      src, dst;
+  };
+} // namespace Waker
+
+#endif

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/mechanics/block_motion.h>
+#include <waker/mechanics/kinematics.h>
+
+#include <algorithm>
+
+namespace Waker
+{
+  template <>
+  void
+  BlockMotion<2>::move(Material::Block &block) const
+  {
+    const double *const xx = H[0], *const xy = H[1];
+    const double *const yx = H[2], *const yy = H[3];
+    double *const s_xx  = block.stress[0];
+    double *const s_yy  = block.stress[1];
+    double *const s_xy  = block.stress[3];
+    double *const e_xx  = block.strain_increment[0];
+    double *const e_yy  = block.strain_increment[1];
+    double *const e_xy  = block.strain_increment[3];
+    const double  share = objective_rate ? 1. : 0.;
+#pragma GCC ivdep
+    for (unsigned int l = 0; l < N; ++l)
+      {
+        double g_xx = xx[l], g_xy = xy[l], g_yx = yx[l], g_yy = yy[l];
+        to_mid_step(share, g_xx, g_xy, g_yx, g_yy);
+        turn_in_plane(share * 0.5 * (g_xy - g_yx), s_xx[l], s_yy[l], s_xy[l]);
+        e_xx[l] = g_xx;
+        e_yy[l] = g_yy;
+        e_xy[l] = 0.5 * (g_xy + g_yx);
+      }
+    for (const unsigned int a : {2, 4, 5})
+      std::fill_n(block.strain_increment[a], N, 0.);
+  }
+
+
+  namespace
+  {
+    Kinematics<3>
+    motion_of(const BlockMotion<3> &block, const unsigned int l)
+    {
+      Tensor<2, 3> gradient;
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = 0; j < 3; ++j)
+          gradient[i][j] = block.H[3 * i + j][l];
+      return {gradient, block.objective_rate};
+    }
+
+
+    SymmetricTensor<2, 3>
+    stress_of(const double (*stress)[Material::block_size],
+              const unsigned int l)
+    {
+      SymmetricTensor<2, 3> s;
+      for (unsigned int a = 0; a < 6; ++a)
+        s.access_raw_entry(a) = stress[a][l];
+      return s;
+    }
+  } // namespace
+
+
+  template <>
+  void
+  BlockMotion<3>::move(Material::Block &block) const
+  {
+    for (unsigned int l = 0; l < N; ++l)
+      {
+        const Kinematics<3>         motion = motion_of(*this, l);
+        const SymmetricTensor<2, 3> turned =
+          motion.turn(stress_of(block.stress, l));
+        const SymmetricTensor<2, 3> strain = motion.strain();
+        for (unsigned int a = 0; a < 6; ++a)
+          {
+            block.stress[a][l]           = turned.access_raw_entry(a);
+            block.strain_increment[a][l] = strain.access_raw_entry(a);
+          }
+      }
+  }
+
+
+  template <>
+  void
+  BlockMotion<2>::stress_derivative(const double (*D)[N],
+                                    const double (*turned)[N],
+                                    const double  shear_modulus,
+                                    const double *scale,
+                                    double (*A)[4][N]) const
+  {
+    const double        share = objective_rate ? 1. : 0.;
+    const double        half  = 0.5 * share;
+    const double *const s_xx  = turned[0];
+    const double *const s_yy  = turned[1];
+    const double *const s_xy  = turned[3];
+#pragma GCC ivdep
+    for (unsigned int l = 0; l < N; ++l)
+      {
+        // R = (I + H/2)^-1; the spin of G = H R.
+        const double a = 1. + half * H[0][l], b = half * H[1][l];
+        const double c = half * H[2][l], d = 1. + half * H[3][l];
+        const double inverse = 1. / (a * d - b * c);
+        const double R[2][2] = {{d * inverse, -b * inverse},
+                                {-c * inverse, a * inverse}};
+        const double w       = share * 0.5 * (H[1][l] - H[2][l]) * inverse;
+
+        // Z t - t Z = 2 z t_xy, -2 z t_xy, z (t_yy - t_xx) in xx, yy, xy, with
+        // z = dw / (1 + w^2/4).
+        const double factor =
+          share / ((1. + 0.25 * w * w) * 2. * shear_modulus);
+        const double r_xx = 2. * s_xy[l] * factor;
+        const double r_xy = (s_yy[l] - s_xx[l]) * factor;
+
+        for (unsigned int k = 0; k < 2; ++k)
+          for (unsigned int m = 0; m < 2; ++m)
+            {
+              // dG = R dH R for dH = e_k e_m.
+              const double g01   = R[0][k] * R[m][1];
+              const double g10   = R[1][k] * R[m][0];
+              const double dw    = 0.5 * (g01 - g10);
+              const double e_xx  = R[0][k] * R[m][0] + r_xx * dw;
+              const double e_yy  = R[1][k] * R[m][1] - r_xx * dw;
+              const double gamma = g01 + g10 + 2. * r_xy * dw;
+              for (unsigned int s = 0; s < 3; ++s)
+                A[s][2 * k + m][l] =
+                  scale[l] * (D[3 * s][l] * e_xx + D[3 * s + 1][l] * e_yy +
+                              D[3 * s + 2][l] * gamma);
+            }
+      }
+  }
+
+
+  template <>
+  void
+  BlockMotion<3>::stress_derivative(const double (*D)[N],
+                                    const double (*turned)[N],
+                                    const double  shear_modulus,
+                                    const double *scale,
+                                    double (*A)[9][N]) const
+  {
+    SymmetricTensor<4, 3> tangent;
+    double                A_point[6][9];
+    for (unsigned int l = 0; l < N; ++l)
+      {
+        for (unsigned int a = 0; a < 36; ++a)
+          tangent.access_raw_entry(a) = D[a][l];
+        motion_of(*this, l).stress_derivative(
+          tangent, stress_of(turned, l), shear_modulus, scale[l], A_point);
+        for (unsigned int a = 0; a < 6; ++a)
+          for (unsigned int k = 0; k < 9; ++k)
+            A[a][k][l] = A_point[a][k];
+      }
+  }
+
+
+  template struct BlockMotion<2>;
+  template struct BlockMotion<3>;
+} // namespace Waker

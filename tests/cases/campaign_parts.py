@@ -1,0 +1,84 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A campaign is the union of its parts: one process, four ranks, three chunks
+and intervals of realisations give the same merged results, and a stop rule ends
+it at the same realisation.
+
+usage: campaign_parts.py WAKER SOURCE_DIRECTORY [REALISATIONS]
+"""
+import os
+import sys
+import tempfile
+
+from campaign_case import Campaign, Checks, finish
+
+
+def main():
+    waker, source = sys.argv[1:3]
+    n = int(sys.argv[3]) if len(sys.argv) > 3 else 12
+    check = Checks()
+    with tempfile.TemporaryDirectory(prefix="waker-") as folder:
+
+        def campaign(name, **more):
+            return Campaign(waker, source, os.path.join(folder, name),
+                            more.pop("n", n), **more)
+
+        whole = campaign("whole")
+        process = whole.start()
+        if whole.wait_for_records(process, 2):
+            text = whole.call("status")
+            check(f"of {n}" in text, "status while it runs",
+                  text.strip().split("\n")[0])
+        finish(process)
+        check.once_each("one process", whole, n)
+        check(f"{n} of {n}" in whole.call("status"), "status afterwards")
+        reference = whole.merged()
+        outcomes = [record["outcome"] for record in whole.records()]
+        check(len(set(outcomes)) > 1, "more than one outcome",
+              {name: outcomes.count(name) for name in sorted(set(outcomes))})
+
+        ranks = campaign("ranks")
+        ranks.run(ranks=4)
+        check.once_each("4 ranks", ranks, n)
+        check.same("4 ranks", reference, ranks.merged())
+
+        # Two of three at a time, the first one last.
+        chunks = campaign("chunks")
+        pair = [chunks.start("--chunk", "3/3"), chunks.start("--chunk", "2/3")]
+        for process in pair:
+            finish(process)
+        check(f"of {n}" in chunks.call("status"), "status between the chunks")
+        chunks.run("--chunk", "1/3")
+        check.once_each("3 chunks", chunks, n)
+        check.same("3 chunks", reference, chunks.merged())
+
+        if n >= 40: # a job array that begins all at once, in a new folder
+            crowd = campaign("crowd")
+            for process in [crowd.start("--chunk", f"{i}/8")
+                            for i in range(1, 9)]:
+                finish(process)
+            check.once_each("8 chunks at once", crowd, n)
+            check.same("8 chunks at once", reference, crowd.merged())
+
+        parts = campaign("parts")
+        for first, last in [(n // 2, n), (0, n // 3), (n // 3, n // 2)]:
+            parts.run("--realisations", f"{first}:{last}")
+        check.once_each("three intervals", parts, n)
+        check.same("three intervals", reference, parts.merged())
+
+        # A stop rule. Four ranks may have computed more than is used.
+        rule = {"Campaign/Target": "initial failure",
+                "Campaign/Coefficient of variation": 0.5 if n < 40 else 0.25}
+        one = campaign("rule-1", n=10 * n, set=rule)
+        one.run()
+        stopped = len(one.records())
+        check(0 < stopped < 10 * n, "a rule stops the campaign early",
+              f"{stopped} of {10 * n}")
+        four = campaign("rule-4", n=10 * n, set=rule)
+        four.run(ranks=4)
+        check.same("stop rule, 4 ranks", one.merged(), four.merged())
+    check.exit()
+
+
+if __name__ == "__main__":
+    main()
