@@ -9,15 +9,16 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 tests=(-LE long)
+packages=(--checks)
 for argument in "$@"; do
   case "$argument" in
-    --long) tests=() ;;
+    --long) tests=(); packages=(--checks --cluster) ;;
     *) echo "usage: $0 [--long]" >&2; exit 2 ;;
   esac
 done
 
 echo "== 1. Packages"
-contrib/install_packages.sh --checks
+contrib/install_packages.sh "${packages[@]}"
 
 echo "== 2. Format"
 if git rev-parse --is-inside-work-tree >/dev/null 2>&1; then

@@ -4,7 +4,9 @@
 # Installs the Debian packages that Waker is built with. Does nothing if none
 # is missing.
 #
-#   contrib/install_packages.sh [--checks]     --checks: those of check.sh, too
+#   contrib/install_packages.sh [--checks] [--cluster]
+#
+# --checks: those of check.sh, too; --cluster: Slurm, for check.sh --long
 set -euo pipefail
 
 packages=(libdeal.ii-dev g++ cmake ninja-build pkg-config lld
@@ -13,8 +15,9 @@ packages=(libdeal.ii-dev g++ cmake ninja-build pkg-config lld
   python3-numpy python3-h5py python3-matplotlib python3-meshio)
 for argument in "$@"; do
   case "$argument" in
-    --checks) packages+=(clang-format-14) ;;
-    *) echo "usage: $0 [--checks]" >&2; exit 2 ;;
+    --checks) packages+=(clang-format-14 python3-xarray python3-h5netcdf) ;;
+    --cluster) packages+=(slurm-wlm munge) ;;
+    *) echo "usage: $0 [--checks] [--cluster]" >&2; exit 2 ;;
   esac
 done
 

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 #
 # From a fresh Debian 12 machine to a picture of a failed dyke: installs the
-# packages, builds Waker in build/, and runs the weak dyke of chapter 5. May be
-# run again.
+# packages, builds Waker in build/, runs the weak dyke of chapter 5, and a small
+# campaign that says how likely failure is. May be run again.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -44,3 +44,8 @@ EOF
 echo "== 5. Picture"
 /usr/bin/python3 contrib/plots/plot_state.py "$run" -o "$run/final_state.png"
 echo "For ParaView: $run/particles.pvd, surface.pvd, grid.pvd"
+
+echo "== 6. How likely is that? 40 realisations of the base case of chapter 5"
+build/bin/waker campaign parameters/chapter5/analysis1.prm --overwrite \
+  --set "Campaign/Realisations=40" --set "Output/Directory=output/analysis1"
+echo "More of them, kill and resume, figures: doc/campaigns.md"

@@ -69,7 +69,8 @@ def figure_5_9(files, all_scenarios):
     scales = [scenario.scale_x for scenario in scenarios]
     colours = look.sequence(len(scenarios))
     labels = [rf"$\theta_h$ = {scale:g} m" for scale in scales]
-    figure = plt.figure(figsize=(10.0, 1.0 + 0.8 * len(scenarios)))
+    tall = max(3.0, 1.0 + 0.8 * len(scenarios))  # inches
+    figure = plt.figure(figsize=(10.0, tall))
     grid = figure.add_gridspec(len(scenarios), 3, hspace=0.02)
     left, middle = ([figure.add_subplot(grid[row, column])
                      for row in range(len(scenarios))] for column in (0, 1))
@@ -128,8 +129,8 @@ def figure_5_9(files, all_scenarios):
     counts_panel.set_ylabel(r"$\theta_h$ (m)")
     counts_panel.set_xlabel("share of all realisations (%)")
     counts_panel.grid(False)
-    counts_panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncol=2,
-                        columnspacing=1.0)
+    counts_panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.7 / tall),
+                        ncol=2, columnspacing=1.0)
     files.save(figure, "figure_5_09", look.stores_of(scenarios),
                ["quantity", "scale_m", "low", "high", "count", "share_percent"],
                rows, ["only dykes that failed and did not flood; means: "

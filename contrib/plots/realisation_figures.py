@@ -2,6 +2,7 @@
 """Figures 5.5 and 5.11: typical realisations, chosen by outcome and computed
 again with `waker run --realisation`."""
 
+import json
 import os
 import subprocess
 import sys
@@ -50,7 +51,23 @@ class Runner:
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         if done.returncode != 0:
             sys.exit(" ".join(command) + "\n" + done.stdout)
+        self.compare(scenario, number, folder)
         return folder
+
+    @staticmethod
+    def compare(scenario, number, folder):
+        """Another version of the program may make other fields."""
+        with open(os.path.join(folder, "summary.json"),
+                  encoding="utf-8") as file:
+            summary = json.load(file)
+        where = int(np.flatnonzero(scenario.realisation == number)[0])
+        stored = (campaign.OUTCOMES[scenario["outcome"][where]],
+                  float(scenario["residual_width"][where]))
+        again = summary["outcome"], summary["residual_width"]
+        if stored[0] != again[0] or abs(stored[1] - again[1]) > 0.01:
+            print(f"warning: realisation {number} is not the one of the "
+                  f"campaign (outcome, W_r: {stored}, now {again}); is this "
+                  "the program that made the campaign?", file=sys.stderr)
 
 
 def final_points(folder):
@@ -86,6 +103,7 @@ def choose(scenario, runner):
     stands = outcome == campaign.INITIAL_FAILURE
     floods = outcome == campaign.FLOODING
     retrogressive = kind == campaign.RETROGRESSIVE
+    small = scenario["residual_width"] >= 0.5 * scenario["initial_width"]
     damaged = (scenario["residual_height"] - scenario.water_level
                < 0.8 * scenario.freeboard)
 
@@ -93,8 +111,8 @@ def choose(scenario, runner):
         return int(numbers[0]) if len(numbers) else None
 
     def by_height(fits):
-        numbers = candidates(scenario,
-                             stands & (kind == campaign.INITIAL_ONLY))
+        once = stands & (kind == campaign.INITIAL_ONLY)
+        numbers = candidates(scenario, once & small, once)
         for number in numbers[:MAXIMUM_TRIALS]:
             if fits(initiation_height(runner.run(scenario, number))):
                 return int(number)
@@ -165,7 +183,7 @@ def draw(axes, folder, water_level, limits):
         axes.add_collection(LineCollection(segments, colors="red",
                                            linewidths=0.8, zorder=2))
     # A little larger than their volume: no specks where soil is stretched.
-    collection = PolyCollection(squares(position, 1.2 * sides), cmap="viridis",
+    collection = PolyCollection(squares(position, 1.3 * sides), cmap="viridis",
                                 linewidths=0, antialiaseds=False, zorder=1,
                                 rasterized=True)
     collection.set_array(points.point_data["undrained_shear_strength"])

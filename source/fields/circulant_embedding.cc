@@ -50,10 +50,12 @@ namespace Waker
    */
   struct CirculantEmbedding::Transform
   {
-    double                  *data = nullptr;
-    std::vector<fftw_plan>   whole; // all lines
-    std::array<fftw_plan, 3> part{{nullptr, nullptr, nullptr}};
-    std::size_t              n;
+    double *data = nullptr;
+    using Plans  = std::array<fftw_plan, 3>; // one per direction
+    Plans                       whole;       // all lines
+    Plans                       part;        // those that the lattice needs
+    std::array<unsigned int, 3> length;      // of the lines of each plan
+    std::size_t                 n;
 
     Transform(const std::array<unsigned int, 3> &torus,
               const std::array<unsigned int, 3> &wanted)
@@ -63,15 +65,16 @@ namespace Waker
       data = fftw_alloc_real(n);
       AssertThrow(data != nullptr, ExcMessage("Out of memory for the torus."));
 
+      length       = {{torus[2], torus[1], torus[0]}};
       const int m0 = torus[0], m1 = torus[1], m2 = torus[2];
       const int n1 = wanted[1], n2 = wanted[2];
       // {length, stride}, {the lines: count, stride} in the other directions
-      part[2] = plan({m2, m0 * m1}, {m1, m0}, {m0, 1});
-      part[1] = plan({m1, m0}, {n2, m0 * m1}, {m0, 1});
-      part[0] = plan({m0, 1}, {n2, m0 * m1}, {n1, m0});
-      whole   = {plan({m2, m0 * m1}, {m1, m0}, {m0, 1}),
-                 plan({m1, m0}, {m2, m0 * m1}, {m0, 1}),
-                 plan({m0, 1}, {m2, m0 * m1}, {m1, m0})};
+      part  = {{plan({m2, m0 * m1}, {m1, m0}, {m0, 1}),
+                plan({m1, m0}, {n2, m0 * m1}, {m0, 1}),
+                plan({m0, 1}, {n2, m0 * m1}, {n1, m0})}};
+      whole = {{plan({m2, m0 * m1}, {m1, m0}, {m0, 1}),
+                plan({m1, m0}, {m2, m0 * m1}, {m0, 1}),
+                plan({m0, 1}, {m2, m0 * m1}, {m1, m0})}};
     }
 
     ~Transform()
@@ -81,6 +84,15 @@ namespace Waker
       for (const fftw_plan p : part)
         fftw_destroy_plan(p);
       fftw_free(data);
+    }
+
+    /// In directions of one cell there is nothing to transform.
+    void
+    execute(const Plans &plans) const
+    {
+      for (unsigned int i = 0; i < 3; ++i)
+        if (length[i] > 1)
+          fftw_execute(plans[i]);
     }
 
     Transform(const Transform &) = delete;
@@ -164,8 +176,7 @@ namespace Waker
                              (std::min(j, n_torus[1] - j) +
                               std::size_t(n_lags[1]) *
                                 std::min(k, n_torus[2] - k))];
-        for (const fftw_plan plan : transform->whole)
-          fftw_execute(plan);
+        transform->execute(transform->whole);
 
         double lost = 0.;
         root.resize(n);
@@ -173,7 +184,7 @@ namespace Waker
           {
             const double eigenvalue = transform->data[i];
             lost += std::max(0., -eigenvalue);
-            root[i] = std::sqrt(std::max(0., eigenvalue) / n);
+            root[i] = std::sqrt(std::max(0., eigenvalue)) / n;
           }
         negative = lost / (n * covariance[0]);
         if (negative < tolerance)
@@ -214,14 +225,31 @@ namespace Waker
   void
   CirculantEmbedding::generate(const double *noise, double *values) const
   {
-    double *const data = transform->data;
-    for (std::size_t i = 0; i < root.size(); ++i)
-      data[i] = root[i] * noise[i];
-    for (const unsigned int d : {2u, 1u, 0u})
-      if (n_torus[d] > 1)
-        fftw_execute(transform->part[d]);
+    const std::array<unsigned int, 3> &n    = lattice.n_cells;
+    double *const                      data = transform->data;
 
-    const std::array<unsigned int, 3> &n = lattice.n_cells;
+    // The first numbers belong to the cells of the lattice, the others to the
+    // padding: a larger torus has the same noise where it matters.
+    const double *padding = noise + lattice.n();
+    double       *line    = data;
+    for (unsigned int k = 0; k < n_torus[2]; ++k)
+      for (unsigned int j = 0; j < n_torus[1]; ++j, line += n_torus[0])
+        {
+          unsigned int inside = 0;
+          if (j < n[1] && k < n[2])
+            {
+              inside = n[0];
+              std::copy_n(noise, inside, line);
+              noise += inside;
+            }
+          std::copy_n(padding, n_torus[0] - inside, line + inside);
+          padding += n_torus[0] - inside;
+        }
+    transform->execute(transform->whole);
+    for (std::size_t i = 0; i < root.size(); ++i)
+      data[i] *= root[i];
+    transform->execute(transform->part);
+
     for (unsigned int k = 0; k < n[2]; ++k)
       for (unsigned int j = 0; j < n[1]; ++j, values += n[0])
         std::copy_n(data + std::size_t(n_torus[0]) *

@@ -2,9 +2,10 @@
 #include <waker/base/errors.h>
 #include <waker/fields/measurements.h>
 
+#include <algorithm>
 #include <boost/algorithm/string.hpp>
-#include <cmath>
 #include <fstream>
+#include <locale>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -13,14 +14,15 @@ namespace Waker
 {
   namespace
   {
-    /// @return whether the whole text is one finite number
+    /// @return whether the whole text is one number (finite: streams read no
+    /// other)
     bool
     read_number(const std::string &text, double &number)
     {
       std::istringstream in(text);
       in.imbue(std::locale::classic());
       std::string rest;
-      return in >> number && !(in >> rest) && std::isfinite(number);
+      return in >> number && !(in >> rest);
     }
 
 

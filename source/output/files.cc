@@ -44,8 +44,15 @@ namespace Waker
              const std::string &contents,
              const bool         to_disk)
   {
-    const std::string temporary = path + ".tmp";
-    std::FILE *const  file      = std::fopen(temporary.c_str(), "wb");
+    // A name of our own: the tasks of a job array may write the same file at
+    // the same time. One that a killed process has left stays.
+    std::string temporary = path + ".tmp";
+    std::FILE  *file      = std::fopen(temporary.c_str(), "wbx");
+    for (unsigned int number = 1; file == nullptr && errno == EEXIST; ++number)
+      {
+        temporary = path + "." + std::to_string(number) + ".tmp";
+        file      = std::fopen(temporary.c_str(), "wbx");
+      }
     if (file == nullptr)
       throw_cannot_write(temporary, errno);
 

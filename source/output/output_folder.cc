@@ -48,6 +48,23 @@ namespace Waker
 
 
 
+    /// "log.txt" of "log.txt.tmp" and "log.txt.2.tmp", which killed processes
+    /// leave.
+    std::string
+    without_temporary_end(std::string name)
+    {
+      if (!ends_with(name, ".tmp"))
+        return name;
+      name.resize(name.size() - 4);
+      const std::size_t dot = name.rfind('.');
+      if (dot != std::string::npos && dot + 1 < name.size() &&
+          name.find_first_not_of("0123456789", dot + 1) == std::string::npos)
+        name.resize(dot);
+      return name;
+    }
+
+
+
     /// Remove the files of a folder whose names, without ".tmp", `is_ours`
     /// knows.
     template <typename Predicate>
@@ -60,9 +77,8 @@ namespace Waker
       std::vector<fs::path> found;
       for (const auto &entry : fs::directory_iterator(folder))
         {
-          std::string name = entry.path().filename().string();
-          if (ends_with(name, ".tmp"))
-            name.resize(name.size() - 4);
+          const std::string name =
+            without_temporary_end(entry.path().filename().string());
           if (entry.is_regular_file() && is_ours(name))
             found.push_back(entry.path());
         }

@@ -74,6 +74,11 @@ namespace Waker
                const std::string &realisations,
                CommandLine       &line)
     {
+      line.is_part = !chunk.empty() || !realisations.empty();
+      if (line.is_part && line.overwrite)
+        throw UserError("command line",
+                        "--overwrite is given with --chunk or --realisations",
+                        "one of them: parts join what is in the folder");
       const std::string one_of = "i/n with 1 <= i <= n, for example 2/10";
       if (!chunk.empty())
         {

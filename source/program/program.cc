@@ -51,9 +51,10 @@ namespace Waker
     void
     report(const UserError &error)
     {
-      std::cerr << tidy(error.where) << '\n'
-                << tidy(error.problem) << '\n'
-                << "allowed: " << tidy(error.allowed) << std::endl;
+      // In one piece: several ranks may have something to say.
+      std::cerr << tidy(error.where) + "\n" + tidy(error.problem) +
+                     "\nallowed: " + tidy(error.allowed) + "\n"
+                << std::flush;
     }
 
 
@@ -148,6 +149,7 @@ namespace Waker
       options.validate_only = line.validate_only;
       options.resume        = line.resume;
       options.overwrite     = line.overwrite;
+      options.is_part       = line.is_part;
       options.chunk         = line.chunk;
       options.n_chunks      = line.n_chunks;
       options.first         = line.first;

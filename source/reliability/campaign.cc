@@ -9,6 +9,7 @@
 #include <waker/reliability/journal.h>
 #include <waker/reliability/progress.h>
 #include <waker/reliability/realisation_runner.h>
+#include <waker/reliability/report.h>
 #include <waker/reliability/schedule.h>
 #include <waker/reliability/snapshots.h>
 #include <waker/simulation/describe.h>
@@ -121,7 +122,7 @@ namespace Waker
       if (options.n_chunks > 1)
         return "log-" + std::to_string(options.chunk) + "-of-" +
                std::to_string(options.n_chunks) + ".txt";
-      if (options.is_part())
+      if (options.is_part)
         return "log-from-" + std::to_string(options.first) + ".txt";
       return "log.txt";
     }
@@ -199,6 +200,7 @@ namespace Waker
                         std::to_string(parameters.realisations - 1));
 
     // All input is checked before anything is written.
+    read_level_distribution(scenarios[0]->reliability.analysis.risk);
     if (rank == 0)
       check_campaign_folder(folder, info, options);
     std::vector<std::unique_ptr<RealisationRunner<dim>>> runners;
@@ -221,7 +223,7 @@ namespace Waker
       {
         prepare_campaign_folder(folder, info, options);
         log.open_file(join_path(folder, log_name(options)),
-                      options.resume || options.is_part());
+                      options.resume || options.is_part);
         describe(*runners[0], info, n_ranks, log);
       }
     MPI_Barrier(communicator);

@@ -36,6 +36,25 @@ namespace Waker
     }
 
 
+    /// Is there nothing in the folder but what another part of the campaign,
+    /// which is just making it, writes first?
+    bool
+    is_being_made(const std::string &folder)
+    {
+      std::error_code        error;
+      fs::directory_iterator entry(folder, error);
+      for (; !error && entry != fs::directory_iterator();
+           entry.increment(error))
+        {
+          const std::string name = entry->path().filename().string();
+          if (name.rfind("campaign.json", 0) != 0 &&
+              name.rfind("parameters.prm", 0) != 0)
+            return has_campaign(folder); // complete by now
+        }
+      return !error;
+    }
+
+
     void
     check_same(const std::string &folder, const CampaignInfo &info)
     {
@@ -108,19 +127,28 @@ namespace Waker
                         const CampaignInfo    &info,
                         const CampaignOptions &options)
   {
-    const bool joins = options.resume || options.is_part();
+    const bool joins = options.resume || options.is_part;
     if (has_campaign(folder) && joins)
       {
         check_output_folder(folder, FolderMode::resume);
         check_same(folder, info);
         return;
       }
-    if (options.resume && !options.is_part())
+    if (options.resume && !options.is_part)
       refuse("'" + folder + "' holds no campaign",
              "the folder of the campaign to be resumed");
-    check_output_folder(folder,
-                        options.overwrite ? FolderMode::overwrite
-                                          : FolderMode::must_be_new);
+    try
+      {
+        check_output_folder(folder,
+                            options.overwrite ? FolderMode::overwrite
+                                              : FolderMode::must_be_new);
+      }
+    catch (const UserError &)
+      {
+        // All tasks of a job array may begin in the same moment.
+        if (!options.is_part || !is_being_made(folder))
+          throw;
+      }
   }
 
 
@@ -135,7 +163,7 @@ namespace Waker
     if (error)
       refuse("cannot make the folder '" + folder + "': " + error.message(),
              "a folder that can be made");
-    if (options.overwrite && !options.is_part())
+    if (options.overwrite && !options.is_part)
       remove_campaign(folder);
     else if (has_campaign(folder))
       {

@@ -203,11 +203,20 @@ namespace Waker
   {
     const Clock::time_point start = Clock::now();
     Record                  record;
-    record.attempts = 0;
-    do
+    for (unsigned int attempt = 0; attempt < attempts; ++attempt)
       {
-        const Case<dim>        &the_case = case_of_attempt(record.attempts++);
-        State<dim>              state    = initial_state(the_case);
+        // The work of all attempts counts, what came out only of the last.
+        Record next;
+        next.attempts          = attempt + 1;
+        next.steps             = record.steps;
+        next.newton_iterations = record.newton_iterations;
+        next.linear_iterations = record.linear_iterations;
+        next.unconverged_steps = record.unconverged_steps;
+        next.field_time        = record.field_time;
+        record                 = std::move(next);
+
+        const Case<dim>        &the_case    = case_of_attempt(attempt);
+        State<dim>              state       = initial_state(the_case);
         const Clock::time_point field_start = Clock::now();
         random_properties.apply(noise, state);
         record.field_time += seconds_since(field_start);
@@ -215,8 +224,9 @@ namespace Waker
           random_properties.mean_and_least(state);
         if (!run_to_end(the_case, interrupt, state, record))
           return {};
-    } while (record.outcome == Outcome::numerical_failure &&
-             record.attempts < attempts);
+        if (record.outcome != Outcome::numerical_failure)
+          break;
+      }
     record.wall_time = seconds_since(start);
     return record;
   }

@@ -16,6 +16,11 @@ namespace Waker
     line(const char *const name, const Proportion &p)
     {
       char buffer[200];
+      if (p.n == 0)
+        {
+          std::snprintf(buffer, sizeof buffer, "\n  %-8s -", name);
+          return buffer;
+        }
       std::snprintf(buffer,
                     sizeof buffer,
                     "\n  %-8s %-10.4g [%.4g, %.4g]  %llu of %llu",

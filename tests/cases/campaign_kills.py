@@ -13,7 +13,7 @@ import sys
 import tempfile
 import time
 
-from campaign_case import Campaign, Checks, finish
+from campaign_case import Campaign, Checks
 
 N = 120
 KILLS = 10

@@ -52,7 +52,7 @@ def main():
         check.once_each("3 chunks", chunks, n)
         check.same("3 chunks", reference, chunks.merged())
 
-        if n >= 40: # a job array that begins all at once, in a new folder
+        if n >= 40:  # a job array that begins all at once, in a new folder
             crowd = campaign("crowd")
             for process in [crowd.start("--chunk", f"{i}/8")
                             for i in range(1, 9)]:

@@ -19,7 +19,7 @@ import subprocess
 import sys
 import tempfile
 
-from campaign_case import Campaign, Checks, finish
+from campaign_case import Campaign, Checks
 
 N = 12
 

@@ -82,7 +82,7 @@ TEST(Control, any_movement_starts_the_window_again)
   Rules rules;
   rules(2., 1e-6, slow);
   EXPECT_EQ(rules.rest.since, -1.);
-  rules(2., still, 0.02);
+  rules(2., still, 0.05);
   EXPECT_EQ(rules.rest.since, -1.);
 }
 

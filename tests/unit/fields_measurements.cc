@@ -87,6 +87,8 @@ TEST(Fields, errors_in_measurements_name_the_line)
   expect("0, 2.1, 5, 7\n", "3 numbers: x, y, value");
   expect("0, 2.1, 5kPa\n", "\"0, 2.1, 5kPa\"");
   expect("0, 2.1, nan\n", ":1");
+  expect("0, 2.1, 1e999\n", ":1");
+  expect("0, 2.1, 5, hard\n", ":1");
   expect("0; 2.1; 5\n", ":1");
   expect("0, 2.1, 5\nx, y, value\n", ":2");
   expect("x, y, value\nx, y, value\n", ":2");

@@ -7,11 +7,13 @@
 #include "reliability_records.h"
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
 #include <gtest/gtest.h>
 #include <hdf5.h>
 #include <hdf5_hl.h>
 #include <limits>
+#include <sys/resource.h>
 #include <unistd.h>
 
 namespace Waker
@@ -272,22 +274,27 @@ namespace Waker
     const TemporaryFolder folder;
     const std::string     path = folder.file("results.h5");
     put(path, "the one before");
-    // What stands in the way of the temporary file is a full disk.
-    const std::string temporary = path + ".tmp";
-    ASSERT_EQ(::symlink("/dev/full", temporary.c_str()), 0);
+    // A limit on the size of files stands for a full disk.
+    rlimit limit;
+    ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &limit), 0);
+    const rlimit tight{1000, limit.rlim_max};
+    const auto   old_handler = std::signal(SIGXFSZ, SIG_IGN);
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &tight), 0);
     try
       {
         write(path, six_records());
-        FAIL();
+        ADD_FAILURE() << "1000 bytes do not hold it";
       }
     catch (const UserError &error)
       {
         EXPECT_NE(error.problem.find(path), std::string::npos);
-        EXPECT_NE(error.problem.find("No space left"), std::string::npos)
+        EXPECT_NE(error.problem.find("File too large"), std::string::npos)
           << error.problem;
       }
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    std::signal(SIGXFSZ, old_handler);
     EXPECT_EQ(get(path), "the one before");
-    EXPECT_FALSE(std::filesystem::exists(temporary));
+    EXPECT_FALSE(std::filesystem::exists(path + ".tmp"));
 
     EXPECT_THROW(write(folder.file("none/results.h5"), six_records()),
                  UserError);

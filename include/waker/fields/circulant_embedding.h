@@ -10,13 +10,15 @@ namespace Waker
 {
   /**
    * Circulant embedding (Dietrich & Newsam 1997; Wood & Chan 1994): the exact
-   * covariance of the cell averages, by one Fourier transform per field.
+   * covariance of the cell averages, by two Fourier transforms per field.
    *
    * The lattice is part of a torus of at least 2 (n - 1) cells per direction.
    * The covariance on it, even in each direction, is diagonal in the basis of
    * the discrete Hartley transform H (orthogonal, real, its own inverse):
-   *   field = H sqrt(lambda) noise,
-   * so as many normal numbers as the torus has cells. Where eigenvalues are
+   *   field = H sqrt(lambda) H noise,
+   * the symmetric root of the covariance. The noise has a number per cell of
+   * the torus, those of the lattice first: fields of the same noise and
+   * different scales of fluctuation resemble each other. Where eigenvalues are
    * negative the torus grows, up to a limit; what is left below zero is cut off
    * if the sum of its absolute values is less than `tolerance` of the trace.
    */

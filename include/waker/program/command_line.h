@@ -33,6 +33,7 @@ namespace Waker
     std::optional<std::uint64_t> realisation;
     std::uint64_t                scenario = 0;
     // Of `campaign`: part `chunk` of n_chunks, realisations first <= i < last.
+    bool          is_part  = false;
     std::uint64_t chunk    = 1;
     std::uint64_t n_chunks = 1;
     std::uint64_t first    = 0;

@@ -23,6 +23,8 @@ namespace Waker
     bool validate_only = false; // check everything, write nothing
     bool resume        = false; // go on with what is in the folder
     bool overwrite     = false; // an earlier campaign in the folder
+    /// Others compute the rest: join what is in the folder.
+    bool is_part = false;
 
     /// This process (or these ranks) computes every n-th task, beginning with
     /// number i - 1: part i of n.
@@ -34,12 +36,6 @@ namespace Waker
 
     /// Not 0: end cleanly. May be null.
     const volatile std::sig_atomic_t *interrupt = nullptr;
-
-    bool
-    is_part() const
-    {
-      return n_chunks > 1 || first > 0 || last != std::uint64_t(-1);
-    }
   };
 
 

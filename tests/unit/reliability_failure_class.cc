@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/reliability/failure_class.h>
+
+#include "reliability_failed_dyke.h"
+#include <gtest/gtest.h>
+
+namespace
+{
+  using namespace Waker;
+
+  FailureClass
+  class_of(const Record &record)
+  {
+    return classify(record, find_slides(record, SlideParameters()));
+  }
+
+  const std::vector<TracePoint> one_slide  = {{0, 11, 5},
+                                              {3, 11, 5},
+                                              {4, 6, 5},
+                                              {9, 6, 5}};
+  const std::vector<TracePoint> two_slides = {{0, 11, 5},
+                                              {3, 11, 5},
+                                              {4, 6, 5},
+                                              {6, 6, 5},
+                                              {7, 2.5, 4.9},
+                                              {9, 2.5, 4.9}};
+} // namespace
+
+
+TEST(FailureClasses, of_schematic_dykes)
+{
+  Record record;
+  EXPECT_EQ(class_of(record), FailureClass::none);
+
+  record              = failed_dyke(one_slide);
+  record.first_inward = {20., 0.8, -0.5};
+  record.inward       = {45., 4., -0.9};
+  EXPECT_EQ(class_of(record), FailureClass::initial_only);
+
+  record              = failed_dyke(two_slides);
+  record.first_inward = {20., 0.8, -0.5};
+  record.inward       = {75., 5., -0.7}; // soft soil runs out far
+  EXPECT_EQ(class_of(record), FailureClass::retrogressive);
+
+  record              = failed_dyke({{0, 11, 5}, {3, 11, 5}, {4, 0, 4}});
+  record.first_inward = record.inward = {60., 1.5, -0.8};
+  EXPECT_EQ(class_of(record), FailureClass::initial_only);
+}
+
+
+TEST(FailureClasses, outer_slope)
+{
+  // W grows, as W_1 + W_2 (fig. 5.2e)
+  Record record = failed_dyke({{0, 11, 5}, {2, 11, 5}, {3, 13, 5}, {9, 13, 5}});
+  record.first_outward = {8., -1., -0.8};
+  record.outward       = {10., -2., -1.};
+  EXPECT_EQ(class_of(record), FailureClass::outer);
+  // a retrogressive failure in the opposite direction does not change it
+  record.inward = {40., 4., -1.};
+  EXPECT_EQ(class_of(record), FailureClass::outer);
+  // too slow to have moved by 0.5 m after one second
+  record.first_outward = {};
+  record.inward        = {};
+  EXPECT_EQ(class_of(record), FailureClass::outer);
+  record.outward = {};
+  EXPECT_EQ(class_of(record), FailureClass::outer);
+}
+
+
+TEST(FailureClasses, horizontal_slide)
+{
+  // first a rotational slide, then the rest of the dyke is pushed away and
+  // sinks until it floods, most of its width still there (fig. 5.5f)
+  const std::vector<TracePoint> corners = {{0, 11, 5},
+                                           {3, 11, 5},
+                                           {4, 8, 5},
+                                           {6, 8, 5},
+                                           {7.5, 7.4, 4.76},
+                                           {7.52, 0, 4.74}};
+  Record                        record  = failed_dyke(corners);
+  record.first_inward                   = {20., 0.8, -0.5};
+  record.inward                         = {90., 4., -0.5};
+  EXPECT_EQ(class_of(record), FailureClass::horizontal);
+
+  Record lower    = record; // its soil falls as on a slope
+  lower.inward.dy = -1.2;
+  EXPECT_EQ(class_of(lower), FailureClass::retrogressive);
+
+  Record smaller      = record; // only the slope has moved
+  smaller.inward.area = 40.;
+  EXPECT_EQ(class_of(smaller), FailureClass::retrogressive);
+
+  // the width is eaten up before the height goes
+  Record eaten       = failed_dyke({{0, 11, 5},
+                                    {3, 11, 5},
+                                    {4, 8, 5},
+                                    {6, 8, 5},
+                                    {7.5, 0.9, 4.9},
+                                    {7.52, 0, 4.74}});
+  eaten.first_inward = record.first_inward;
+  eaten.inward       = record.inward;
+  EXPECT_EQ(class_of(eaten), FailureClass::retrogressive);
+
+  // fig. 5.2d: all at once, no flooding
+  Record stays =
+    failed_dyke({{0, 11, 5}, {3, 11, 5}, {5, 10.5, 4.85}, {9, 10.5, 4.85}});
+  stays.first_inward = {80., 0.7, -0.05};
+  stays.inward       = {95., 2., -0.15};
+  EXPECT_EQ(class_of(stays), FailureClass::horizontal);
+}
