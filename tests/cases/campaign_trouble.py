@@ -107,7 +107,7 @@ def full_disk(make, disk, reference, check):
     if disk.folder is not None:
         campaign = make("full", folder=os.path.join(disk.folder, "full"))
         campaign.run("--realisations", "0:2")
-        filler = disk.fill(8192)
+        filler = disk.fill(32768)
         process = campaign.start("--resume")
     else:
         campaign = make("full")
@@ -115,7 +115,7 @@ def full_disk(make, disk, reference, check):
 
         def limit():
             signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
-            resource.setrlimit(resource.RLIMIT_FSIZE, (3000, 3000))
+            resource.setrlimit(resource.RLIMIT_FSIZE, (20000, 20000))
 
         filler = None
         process = campaign.start("--resume", process={
