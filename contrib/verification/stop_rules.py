@@ -55,13 +55,17 @@ def main():
     parser.add_argument("-n", type=int, default=200)
     parser.add_argument("--ranks", type=int, default=2)
     parser.add_argument("--data")
+    parser.add_argument("--reference", metavar="DIR", help="a campaign of the "
+                        "base case with at least so many realisations, instead "
+                        "of the first of the two")
     parser.add_argument("--folder", help="keep the campaigns, and go on with "
                         "those that are there")
     options = parser.parse_args()
 
     with tempfile.TemporaryDirectory(prefix="waker-") as temporary:
         folder = options.folder or temporary
-        stopped = campaign(options, os.path.join(folder, "stopped"), {})
+        stopped = (records(options.reference) if options.reference else
+                   campaign(options, os.path.join(folder, "stopped"), {}))
         to_the_end = campaign(options, os.path.join(folder, "to-the-end"),
                               {"Stop rules/At rest": "false"})
 

@@ -32,22 +32,6 @@ namespace Waker
 
 
 
-    /// "particles-00012.vtu" of "particles-" and ".vtu"?
-    bool
-    is_numbered(const std::string &name,
-                const std::string &start,
-                const std::string &end)
-    {
-      if (name.compare(0, start.size(), start) != 0 || !ends_with(name, end) ||
-          name.size() <= start.size() + end.size())
-        return false;
-      return std::all_of(name.begin() + start.size(),
-                         name.end() - end.size(),
-                         [](const char c) { return c >= '0' && c <= '9'; });
-    }
-
-
-
     /// "log.txt" of "log.txt.tmp" and "log.txt.2.tmp", which killed processes
     /// leave.
     std::string
@@ -65,35 +49,58 @@ namespace Waker
 
 
 
-    /// Remove the files of a folder whose names, without ".tmp", `is_ours`
-    /// knows.
-    template <typename Predicate>
     void
-    remove_files(const fs::path &folder, const Predicate &is_ours)
+    make_folder(const fs::path &folder)
     {
       std::error_code error;
-      if (!fs::is_directory(folder, error))
-        return;
-      std::vector<fs::path> found;
-      for (const auto &entry : fs::directory_iterator(folder))
-        {
-          const std::string name =
-            without_temporary_end(entry.path().filename().string());
-          if (entry.is_regular_file() && is_ours(name))
-            found.push_back(entry.path());
-        }
-      for (const fs::path &path : found)
-        if (!fs::remove(path, error) && error)
-          refuse("cannot remove '" + path.string() + "': " + error.message(),
-                 "a folder whose files may be removed");
+      fs::create_directories(folder, error);
+      if (error)
+        refuse("cannot make the folder '" + folder.string() +
+                 "': " + error.message(),
+               "a folder that can be made");
     }
+  } // namespace
 
 
+  bool
+  is_numbered(const std::string &name,
+              const std::string &start,
+              const std::string &end)
+  {
+    if (name.compare(0, start.size(), start) != 0 || !ends_with(name, end) ||
+        name.size() <= start.size() + end.size())
+      return false;
+    return std::all_of(name.begin() + start.size(),
+                       name.end() - end.size(),
+                       [](const char c) { return c >= '0' && c <= '9'; });
+  }
 
+
+  void
+  remove_files(const std::string                              &folder,
+               const std::function<bool(const std::string &)> &is_ours)
+  {
+    std::error_code error;
+    if (!fs::is_directory(folder, error))
+      return;
+    std::vector<fs::path> found;
+    for (const auto &entry : fs::directory_iterator(folder))
+      if (entry.is_regular_file() &&
+          is_ours(without_temporary_end(entry.path().filename().string())))
+        found.push_back(entry.path());
+    for (const fs::path &path : found)
+      if (!fs::remove(path, error) && error)
+        refuse("cannot remove '" + path.string() + "': " + error.message(),
+               "a folder whose files may be removed");
+  }
+
+
+  namespace
+  {
     void
     remove_run(const fs::path &folder)
     {
-      remove_files(folder, [](const std::string &name) {
+      remove_files(folder.string(), [](const std::string &name) {
         for (const char *const ours : {"parameters.prm",
                                        "log.txt",
                                        "statistics",
@@ -107,33 +114,41 @@ namespace Waker
             return true;
         return false;
       });
-      remove_files(folder / "solution", [](const std::string &name) {
+      remove_files((folder / "solution").string(), [](const std::string &name) {
         return is_numbered(name, "particles-", ".vtu") ||
                is_numbered(name, "surface-", ".vtu") ||
                is_numbered(name, "grid-", ".vtu");
       });
-      remove_files(folder / "checkpoints", [](const std::string &name) {
-        return is_numbered(name, "checkpoint-", ".bin");
-      });
+      remove_files((folder / "checkpoints").string(),
+                   [](const std::string &name) {
+                     return is_numbered(name, "checkpoint-", ".bin");
+                   });
 
       // These fail, as they should, where something of the user's is left.
       std::error_code ignored;
       fs::remove(folder / "solution", ignored);
       fs::remove(folder / "checkpoints", ignored);
     }
-
-
-    void
-    make_folder(const fs::path &folder)
-    {
-      std::error_code error;
-      fs::create_directories(folder, error);
-      if (error)
-        refuse("cannot make the folder '" + folder.string() +
-                 "': " + error.message(),
-               "a folder that can be made");
-    }
   } // namespace
+
+
+  void
+  remove_run_folder(const std::string &folder)
+  {
+    remove_run(folder);
+    std::error_code ignored;
+    fs::remove(folder, ignored); // fails, as it should, if not empty
+  }
+
+
+  void
+  refuse_campaign_folder(const std::string &directory)
+  {
+    std::error_code error;
+    if (fs::exists(fs::path(directory) / "campaign.json", error))
+      refuse("'" + directory + "' holds a campaign",
+             "another folder for a single run, --set Output/Directory=...");
+  }
 
 
   void

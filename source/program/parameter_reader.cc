@@ -2,8 +2,8 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <waker/base/errors.h>
-#include <waker/base/hash.h>
 #include <waker/program/declared_parameters.h>
+#include <waker/program/parameter_hash.h>
 #include <waker/program/parameter_reader.h>
 #include <waker/program/prm_scanner.h>
 #include <waker/program/suggestions.h>
@@ -164,50 +164,6 @@ namespace Waker
       for (std::size_t i = 0; i < sections.size(); ++i)
         prm.leave_subsection();
     }
-
-
-    /// Does the parameter decide how the state of a realisation goes on from
-    /// one step to the next?
-    bool
-    decides_steps(const DeclaredParameter &parameter)
-    {
-      for (const char *const section : {"Output",
-                                        "Stop rules",
-                                        "Strength reduction",
-                                        "Campaign",
-                                        "Sweep",
-                                        "Snapshots",
-                                        "Slides",
-                                        "Histograms",
-                                        "Risk"})
-        if (parameter.section == section)
-          return false;
-      return parameter.path() != "Time stepping/End time";
-    }
-
-
-    /// Does it decide what comes out of the realisations of a campaign?
-    bool
-    decides_records(const DeclaredParameter &parameter)
-    {
-      return decides_steps(parameter) || parameter.section == "Stop rules" ||
-             parameter.path() == "Time stepping/End time" ||
-             parameter.path() == "Campaign/Seed" ||
-             parameter.path() == "Campaign/Attempts";
-    }
-
-
-    template <typename Predicate>
-    std::string
-    hash_of(const std::vector<DeclaredParameter> &parameters,
-            const Predicate                      &counts)
-    {
-      std::string text;
-      for (const DeclaredParameter &parameter : parameters)
-        if (counts(parameter))
-          text += parameter.path() + "=" + parameter.value + "\n";
-      return hash_of_text(text);
-    }
   } // namespace
 
 
@@ -247,13 +203,13 @@ namespace Waker
                              ParameterHandler::KeepDeclarationOrder);
       const std::vector<DeclaredParameter> values = declared_parameters(prm);
       input->simulation.text                      = text.str();
-      input->simulation.hash = hash_of(values, decides_steps);
-      input->campaign_hash   = hash_of(values, decides_records);
 
       try
         {
           input->simulation.check();
           input->reliability.check(input->simulation.dimension);
+          input->simulation.hash = hash_of_steps(values);
+          input->campaign_hash   = hash_of_records(values);
         }
       catch (const UserError &error)
         {
@@ -280,6 +236,35 @@ namespace Waker
   } // namespace
 
 
+  namespace
+  {
+    /// Does the last scenario differ from those before in what counts, and in
+    /// nothing that all must share?
+    void
+    check_scenario(const std::vector<std::unique_ptr<Input>> &scenarios,
+                   const ParameterLocations                  &map)
+    {
+      const Input &last = *scenarios.back();
+      for (std::size_t s = 0; s + 1 < scenarios.size(); ++s)
+        if (scenarios[s]->campaign_hash == last.campaign_hash)
+          throw map.located(UserError(
+            "Sweep/Parameter",
+            "\"" + last.reliability.sweep.parameter +
+              "\" makes no difference to the realisations",
+            "a parameter that decides what they compute, with values that "
+            "differ"));
+      if (scenarios[0]->simulation.dimension != last.simulation.dimension ||
+          scenarios[0]->reliability.campaign.seed !=
+            last.reliability.campaign.seed)
+        throw map.located(
+          UserError("Sweep/Parameter",
+                    "is \"" + last.reliability.sweep.parameter +
+                      "\", which all scenarios must share",
+                    "a parameter of the simulation or its random fields"));
+    }
+  } // namespace
+
+
   std::vector<std::unique_ptr<Input>>
   read_scenarios(const std::string              &source,
                  const std::vector<std::string> &overrides,
@@ -295,13 +280,18 @@ namespace Waker
     if (sweep.parameter.empty())
       return scenarios;
 
-    const std::size_t slash = sweep.parameter.rfind('/');
-    if (map.known.count(sweep.parameter) == 0)
-      throw map.located(
-        UserError("Sweep/Parameter",
-                  "is \"" + sweep.parameter + "\", which does not exist",
-                  "the path of a parameter, \"Section/Name\"; "
-                  "waker parameters prints them all"));
+    const std::string &path = sweep.parameter;
+    if (map.known.count(path) == 0)
+      throw map.located(UserError("Sweep/Parameter",
+                                  "is \"" + path + "\", which does not exist",
+                                  "the path of a parameter, \"Section/Name\"; "
+                                  "waker parameters prints them all"));
+    if (map.where(path) == "--set " + path)
+      throw UserError("--set " + path,
+                      "is swept: it has another value in each scenario",
+                      "--set \"Sweep/Values=...\"; or, for no sweep, --set "
+                      "Sweep/Parameter= --set Sweep/Values=");
+    const std::size_t slash = path.rfind('/');
     scenarios.clear();
     for (const std::string &value : sweep.list())
       {
@@ -309,11 +299,12 @@ namespace Waker
         ParameterLocations unused  = map;
         override_entries(
           changed.entries,
-          {{slash == std::string::npos ? "" : sweep.parameter.substr(0, slash),
-            sweep.parameter.substr(slash == std::string::npos ? 0 : slash + 1),
+          {{slash == std::string::npos ? "" : path.substr(0, slash),
+            path.substr(slash == std::string::npos ? 0 : slash + 1),
             value,
             map.where("Sweep/Values")}});
         scenarios.push_back(make_input(changed, unused));
+        check_scenario(scenarios, map);
       }
     return scenarios;
   }

@@ -5,7 +5,7 @@
 #include <waker/output/files.h>
 #include <waker/output/summary.h>
 #include <waker/reliability/campaign_folder.h>
-#include <waker/reliability/intervals.h>
+#include <waker/reliability/campaign_text.h>
 #include <waker/reliability/journal.h>
 #include <waker/reliability/progress.h>
 #include <waker/reliability/realisation_runner.h>
@@ -14,8 +14,8 @@
 #include <waker/reliability/snapshots.h>
 #include <waker/simulation/describe.h>
 
+#include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <iostream>
 #include <optional>
 
@@ -59,97 +59,19 @@ namespace Waker
 
   namespace
   {
-    /// "12.3 s", "4.5 min", "2.1 h"
-    std::string
-    duration(const double seconds)
-    {
-      char text[40];
-      if (seconds < 100.)
-        std::snprintf(text, sizeof text, "%.1f s", seconds);
-      else if (seconds < 6000.)
-        std::snprintf(text, sizeof text, "%.1f min", seconds / 60.);
-      else
-        std::snprintf(text, sizeof text, "%.1f h", seconds / 3600.);
-      return text;
-    }
-
-
-    /// "120 of 200 done, 14 failed, 10 flooded, P(F) = 0.083 [0.041, 0.148]"
-    std::string
-    progress_text(const Progress &progress, const unsigned int n_scenarios)
-    {
-      Counts sum;
-      for (unsigned int s = 0; s < n_scenarios; ++s)
-        {
-          sum.n += progress.counts(s).n;
-          sum.n_failures += progress.counts(s).n_failures;
-          sum.n_initial += progress.counts(s).n_initial;
-          sum.n_flooding += progress.counts(s).n_flooding;
-        }
-      char text[200];
-      int  length =
-        std::snprintf(text,
-                      sizeof text,
-                      "%llu of %llu, S1 %llu, flooded %llu",
-                      static_cast<unsigned long long>(sum.n),
-                      static_cast<unsigned long long>(progress.n_wanted()),
-                      static_cast<unsigned long long>(sum.n_initial),
-                      static_cast<unsigned long long>(sum.n_flooding));
-      if (sum.n_failures > 0)
-        length +=
-          std::snprintf(text + length,
-                        sizeof text - length,
-                        ", numerical failures %llu",
-                        static_cast<unsigned long long>(sum.n_failures));
-      if (n_scenarios == 1 && sum.n > sum.n_failures)
-        {
-          const Interval interval =
-            clopper_pearson(sum.n_flooding, sum.n - sum.n_failures);
-          std::snprintf(text + length,
-                        sizeof text - length,
-                        ", P(F) = %.3g [%.3g, %.3g]",
-                        double(sum.n_flooding) / (sum.n - sum.n_failures),
-                        interval.low,
-                        interval.high);
-        }
-      return text;
-    }
-
-
     std::string
     log_name(const CampaignOptions &options)
     {
       if (options.n_chunks > 1)
         return "log-" + std::to_string(options.chunk) + "-of-" +
                std::to_string(options.n_chunks) + ".txt";
-      if (options.is_part)
+      if (options.first > 0 || options.last != std::uint64_t(-1))
         return "log-from-" + std::to_string(options.first) + ".txt";
       return "log.txt";
     }
 
 
-    template <int dim>
-    void
-    describe(const RealisationRunner<dim> &runner,
-             const CampaignInfo           &info,
-             const int                     n_ranks,
-             Log                          &log)
-    {
-      describe_case(runner.first_case(), log);
-      for (const std::string &line : runner.properties().description())
-        log.line(line);
-      log.line("Campaign " + info.hash + ": " +
-               std::to_string(info.scenarios.size()) +
-               " scenario(s) of up to " + std::to_string(info.realisations) +
-               " realisations, seed " + std::to_string(info.seed) + ", " +
-               std::to_string(n_ranks) + " rank(s)");
-      if (!info.swept_parameter.empty())
-        for (const ScenarioInfo &scenario : info.scenarios)
-          log.line("  " + info.swept_parameter + " = " + scenario.value);
-    }
-
-
-    /// Collects what the journals of the folder say.
+    /// Where a campaign stands, by the journals in its folder.
     class FolderWatch
     {
     public:
@@ -175,6 +97,96 @@ namespace Waker
     private:
       JournalReader reader;
     };
+
+
+    template <int dim>
+    using Runners = std::vector<std::unique_ptr<RealisationRunner<dim>>>;
+
+
+    template <int dim>
+    Runners<dim>
+    make_runners(const Scenarios &scenarios)
+    {
+      Runners<dim> runners;
+      for (const auto &scenario : scenarios)
+        try
+          {
+            runners.push_back(std::make_unique<RealisationRunner<dim>>(
+              scenario->simulation,
+              scenario->reliability.fields,
+              scenario->reliability.campaign.attempts,
+              MPI_COMM_SELF));
+          }
+        catch (const NumericalFailure &failure)
+          {
+            const SweepParameters &sweep  = scenario->reliability.sweep;
+            const auto             number = std::to_string(runners.size());
+            throw NumericalFailure(
+              sweep.parameter.empty()
+                ? failure.what()
+                : "scenario " + number + " (" + sweep.parameter + " = " +
+                    sweep.list()[runners.size()] + "): " + failure.what());
+          }
+      return runners;
+    }
+
+
+    /// Draw tasks until none is left. @return false if interrupted
+    template <int dim>
+    bool
+    compute_tasks(const Runners<dim>    &runners,
+                  const Schedule        &schedule,
+                  const CampaignOptions &options,
+                  const std::uint64_t    seed,
+                  const std::string     &folder,
+                  const std::string     &hash,
+                  const MPI_Comm         communicator,
+                  FolderWatch           &watch,
+                  Work                  &work,
+                  Log                   &log)
+    {
+      IndexCounter                 counter(communicator);
+      std::optional<JournalWriter> writer;
+      Progress                    &progress = watch.progress;
+      std::uint64_t                batch    = -1;
+      while (true)
+        {
+          const std::uint64_t number =
+            counter.next() * options.n_chunks + options.chunk - 1;
+          if (number >= schedule.size())
+            return true;
+          const Task task = schedule.task(number);
+          if (task.batch != batch)
+            {
+              watch.poll();
+              batch = task.batch;
+            }
+          if (task.realisation >= progress.end(task.scenario) ||
+              progress.is_done(task.scenario, task.realisation))
+            continue;
+
+          std::optional<Record> record =
+            runners[task.scenario]->run(seed,
+                                        task.realisation,
+                                        options.interrupt);
+          if (!record)
+            return false;
+          record->scenario = task.scenario;
+          if (!writer)
+            writer.emplace(folder, hash);
+          writer->append(*record);
+          progress.add(*record);
+          ++work.n;
+          work.busy += record->wall_time;
+
+          if (log.progress_due())
+            {
+              watch.poll();
+              log.progress(double(progress.n_done()) / progress.n_wanted(),
+                           progress_text(progress, runners.size()));
+            }
+        }
+    }
   } // namespace
 
 
@@ -184,7 +196,6 @@ namespace Waker
                const CampaignOptions &options,
                const MPI_Comm         communicator)
   {
-    using Clock                          = std::chrono::steady_clock;
     const CampaignParameters &parameters = scenarios[0]->reliability.campaign;
     const std::string &folder  = scenarios[0]->simulation.output.directory;
     const CampaignInfo info    = campaign_info(scenarios);
@@ -203,30 +214,29 @@ namespace Waker
     read_level_distribution(scenarios[0]->reliability.analysis.risk);
     if (rank == 0)
       check_campaign_folder(folder, info, options);
-    std::vector<std::unique_ptr<RealisationRunner<dim>>> runners;
-    for (const auto &scenario : scenarios)
-      runners.push_back(
-        std::make_unique<RealisationRunner<dim>>(scenario->simulation,
-                                                 scenario->reliability.fields,
-                                                 parameters.attempts,
-                                                 MPI_COMM_SELF));
+    const Runners<dim> runners = make_runners<dim>(scenarios);
 
     Log log =
       rank == 0 ? Log(std::cout, n_ranks == 1 && Log::is_terminal()) : Log();
+    if (rank == 0 && !options.validate_only)
+      {
+        const std::string warning =
+          prepare_campaign_folder(folder, info, options);
+        log.open_file(join_path(folder, log_name(options)),
+                      options.resume || options.is_part);
+        if (!warning.empty())
+          log.line(warning);
+      }
+    describe_case(runners[0]->first_case(), log);
+    for (const std::string &line : runners[0]->properties().description())
+      log.line(line);
+    log.line(campaign_text(info, n_ranks));
     if (options.validate_only)
       {
-        describe(*runners[0], info, n_ranks, log);
         log.line("Valid. Nothing was written.");
         return CampaignStatus::completed;
       }
-    if (rank == 0)
-      {
-        prepare_campaign_folder(folder, info, options);
-        log.open_file(join_path(folder, log_name(options)),
-                      options.resume || options.is_part);
-        describe(*runners[0], info, n_ranks, log);
-      }
-    MPI_Barrier(communicator);
+    MPI_Barrier(communicator); // the folder is there
 
     FolderWatch watch(folder, info.hash, parameters, scenarios.size());
     Progress   &progress = watch.progress;
@@ -234,86 +244,43 @@ namespace Waker
       log.line("Found " + std::to_string(progress.n_done()) +
                " finished realisations.");
 
-    const Schedule               schedule(scenarios.size(),
-                            options.first,
-                            last,
-                            parameters.batch);
-    IndexCounter                 counter(communicator);
-    std::optional<JournalWriter> writer;
-    std::uint64_t                n_own = 0, batch = -1;
-    double                       busy        = 0.; // s
-    const auto                   start       = Clock::now();
-    bool                         interrupted = false;
-    while (true)
-      {
-        const std::uint64_t number =
-          counter.next() * options.n_chunks + options.chunk - 1;
-        if (number >= schedule.size())
-          break;
-        const Task task = schedule.task(number);
-        if (task.batch != batch)
-          {
-            watch.poll();
-            batch = task.batch;
-          }
-        if (task.realisation >= progress.end(task.scenario) ||
-            progress.is_done(task.scenario, task.realisation))
-          continue;
+    Work       work;
+    const auto start    = std::chrono::steady_clock::now();
+    const bool finished = compute_tasks<dim>(
+      runners,
+      Schedule(scenarios.size(), options.first, last, parameters.batch),
+      options,
+      parameters.seed,
+      folder,
+      info.hash,
+      communicator,
+      watch,
+      work,
+      log);
+    work.wall =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
+        .count();
 
-        std::optional<Record> record =
-          runners[task.scenario]->run(parameters.seed,
-                                      task.realisation,
-                                      options.interrupt);
-        if (!record)
-          {
-            interrupted = true;
-            break;
-          }
-        record->scenario = task.scenario;
-        if (!writer)
-          writer.emplace(folder, info.hash);
-        writer->append(*record);
-        progress.add(*record);
-        ++n_own;
-        busy += record->wall_time;
-
-        if (rank == 0 && log.progress_due())
-          {
-            watch.poll();
-            log.progress(double(progress.n_done()) / progress.n_wanted(),
-                         progress_text(progress, scenarios.size()));
-          }
-      }
-
-    const double wall =
-      std::chrono::duration<double>(Clock::now() - start).count();
-    n_own = Utilities::MPI::sum(n_own, communicator); // waits for all ranks
-    busy  = Utilities::MPI::sum(busy, communicator);
-    interrupted = Utilities::MPI::max(interrupted ? 1 : 0, communicator) != 0;
-    const double slowest = Utilities::MPI::max(wall, communicator);
+    // Waits for all ranks: then all journals are complete.
+    work.n    = Utilities::MPI::sum(work.n, communicator);
+    work.busy = Utilities::MPI::sum(work.busy, communicator);
+    work.wall = Utilities::MPI::max(work.wall, communicator);
+    const bool interrupted =
+      Utilities::MPI::max(finished ? 0 : 1, communicator) == 1;
     watch.poll();
     log.end_progress();
-    if (n_own > 0)
-      {
-        char text[200];
-        std::snprintf(text,
-                      sizeof text,
-                      "%llu realisations in %s on %d rank(s): %.0f an hour and "
-                      "core; ranks busy %.1f %%",
-                      static_cast<unsigned long long>(n_own),
-                      duration(slowest).c_str(),
-                      n_ranks,
-                      n_own / (slowest * n_ranks) * 3600.,
-                      100. * busy / (slowest * n_ranks));
-        log.line(text);
-      }
+    if (work.n > 0)
+      log.line(work_text(work, n_ranks));
     log.line(progress_text(progress, scenarios.size()));
     if (interrupted)
       {
         log.line("Interrupted; go on with --resume.");
         return CampaignStatus::interrupted;
       }
-    if (!progress.complete())
+    // What one rank sees on a shared disk counts for all.
+    int complete = progress.complete() ? 1 : 0;
+    MPI_Bcast(&complete, 1, MPI_INT, 0, communicator);
+    if (complete == 0)
       {
         log.line("Other parts of the campaign are missing or still at work: "
                  "waker status " +
@@ -322,10 +289,16 @@ namespace Waker
       }
 
     const bool done = make_snapshots<dim>(
-      scenarios, folder, info.hash, progress, options.interrupt, communicator);
+      scenarios, folder, info.hash, options.interrupt, communicator);
     if (rank == 0)
       merge_campaign(folder, *scenarios[0], false, log);
-    return done ? CampaignStatus::completed : CampaignStatus::interrupted;
+    if (!done)
+      {
+        log.line("Interrupted before all snapshots were made; go on with "
+                 "--resume.");
+        return CampaignStatus::interrupted;
+      }
+    return CampaignStatus::completed;
   }
 
 

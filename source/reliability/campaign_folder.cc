@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <vector>
 
 namespace Waker
 {
@@ -60,13 +61,49 @@ namespace Waker
     {
       const CampaignInfo old = CampaignInfo::read(info_path(folder));
       if (old.hash != info.hash)
-        refuse(
-          "'" + folder +
-            "' holds another campaign (its parameters have the "
-            "hash " +
-            old.hash + ", these " + info.hash + ")",
-          "the same parameters, but for Output, Slides, Risk, Snapshots and "
-          "the number of realisations; a new folder; or --overwrite");
+        refuse("'" + folder + "' holds another campaign (its parameters have " +
+                 "the hash " + old.hash + ", these " + info.hash + ")",
+               "the same parameters, but for Output, Snapshots, Slides, "
+               "Histograms, Risk, and of Campaign the number of realisations "
+               "and the rules for stopping; a new folder; or --overwrite");
+      if (info.realisations < old.realisations)
+        throw UserError("Campaign/Realisations",
+                        "is " + std::to_string(info.realisations) +
+                          ", but the campaign in '" + folder + "' has " +
+                          std::to_string(old.realisations),
+                        std::to_string(old.realisations) + " or more");
+    }
+
+
+    /// "log-2-of-10.txt" or "log-from-500.txt"?
+    bool
+    is_log_of_part(const std::string &name)
+    {
+      if (is_numbered(name, "log-from-", ".txt"))
+        return true;
+      const std::string of = "-of-";
+      const std::size_t at = name.find(of);
+      return at != std::string::npos &&
+             is_numbered(name.substr(0, at), "log-", "") &&
+             is_numbered(name.substr(at), of, ".txt");
+    }
+
+
+    /// The files that write_report() makes.
+    std::vector<std::string>
+    report_files()
+    {
+      return {"probabilities.csv",
+              "probability_time.csv",
+              "convergence.csv",
+              "histograms.csv",
+              "residual_resistance_width.csv",
+              "classes.csv",
+              "event_tree.csv",
+              "fragility.csv",
+              "fragility_curve.csv",
+              "fragility_beta.csv",
+              "report.json"};
     }
 
 
@@ -74,50 +111,31 @@ namespace Waker
     void
     remove_campaign(const std::string &folder)
     {
-      std::vector<fs::path> found;
-      for (const auto &entry : fs::directory_iterator(folder))
-        {
-          const std::string name   = entry.path().filename().string();
-          const auto        begins = [&name](const char *text) {
-            return name.rfind(text, 0) == 0;
-          };
-          if (entry.is_regular_file() &&
-              (begins("journal-") || begins("log") || begins("campaign.json") ||
-               begins("parameters.prm") || begins("results.h5")))
-            found.push_back(entry.path());
-        }
-      const fs::path  report = fs::path(folder) / "report";
-      std::error_code ignored;
-      if (fs::is_directory(report, ignored))
-        for (const auto &entry : fs::directory_iterator(report))
-          if (entry.path().extension() == ".csv" ||
-              entry.path().extension() == ".json")
-            found.push_back(entry.path());
-      for (const fs::path &path : found)
-        {
-          std::error_code error;
-          if (!fs::remove(path, error) && error)
-            refuse("cannot remove '" + path.string() + "': " + error.message(),
-                   "a folder whose files may be removed");
-        }
-      fs::remove(report, ignored); // fails, as it should, if not empty
+      const auto is_one_of = [](const std::vector<std::string> &ours) {
+        return [ours](const std::string &name) {
+          return std::find(ours.begin(), ours.end(), name) != ours.end();
+        };
+      };
+      remove_files(
+        folder,
+        is_one_of(
+          {"campaign.json", "parameters.prm", "log.txt", "results.h5"}));
+      remove_files(folder, is_log_of_part);
+      remove_files(folder, [](const std::string &name) {
+        return is_numbered(name, "journal-", ".jsonl");
+      });
+      const std::string report = join_path(folder, "report");
+      remove_files(report, is_one_of(report_files()));
 
-      // Snapshots are run folders of their own.
-      const fs::path snapshots = fs::path(folder) / "snapshots";
+      // Snapshots are run folders of their own. What is not empty stays.
+      const std::string snapshots = join_path(folder, "snapshots");
+      std::error_code   ignored;
       if (fs::is_directory(snapshots, ignored))
-        {
-          for (const auto &entry : fs::directory_iterator(snapshots))
-            if (entry.is_directory())
-              {
-                prepare_output_folder(entry.path().string(),
-                                      FolderMode::overwrite,
-                                      "");
-                fs::remove(entry.path() / "parameters.prm", ignored);
-                fs::remove(entry.path() / "solution", ignored);
-                fs::remove(entry.path(), ignored);
-              }
-          fs::remove(snapshots, ignored);
-        }
+        for (const auto &entry : fs::directory_iterator(snapshots))
+          if (entry.is_directory())
+            remove_run_folder(entry.path().string());
+      fs::remove(snapshots, ignored);
+      fs::remove(report, ignored);
     }
   } // namespace
 
@@ -152,7 +170,7 @@ namespace Waker
   }
 
 
-  void
+  std::string
   prepare_campaign_folder(const std::string     &folder,
                           const CampaignInfo    &info,
                           const CampaignOptions &options)
@@ -163,17 +181,31 @@ namespace Waker
     if (error)
       refuse("cannot make the folder '" + folder + "': " + error.message(),
              "a folder that can be made");
-    if (options.overwrite && !options.is_part)
+
+    std::string warning;
+    if (options.overwrite)
       remove_campaign(folder);
     else if (has_campaign(folder))
       {
         check_same(folder, info);
-        // What a longer campaign has done stays wanted.
-        if (CampaignInfo::read(info_path(folder)).realisations >=
-            info.realisations)
-          return;
+        const CampaignInfo old = CampaignInfo::read(info_path(folder));
+        if (old.version != info.version || old.compiler != info.compiler ||
+            old.build_flags != info.build_flags)
+          warning = "Begun by version " + old.version + ", " + old.compiler +
+                    ", " + old.build_flags +
+                    ": results may differ in the last digits.";
+        if (options.is_part && old.realisations == info.realisations)
+          {
+            if (old.parameters != info.parameters)
+              warning += (warning.empty() ? "" : "\n") +
+                         std::string("The parameters of output or analysis "
+                                     "differ from those in the folder, which "
+                                     "stay.");
+            return warning;
+          }
       }
     write_file(join_path(folder, "parameters.prm"), info.parameters);
     info.write(info_path(folder));
+    return warning;
   }
 } // namespace Waker

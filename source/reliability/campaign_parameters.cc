@@ -2,6 +2,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <waker/base/errors.h>
+#include <waker/base/text.h>
 #include <waker/reliability/campaign_parameters.h>
 
 #include <algorithm>
@@ -110,10 +111,12 @@ namespace Waker
       "fields/strength/Scales of fluctuation\". Empty: there is "
       "one scenario.",
       Patterns::Anything());
-    prm.add_parameter("Values",
-                      values,
-                      "Its values, one per scenario, separated by semicolons.",
-                      Patterns::Anything());
+    prm.add_parameter(
+      "Values",
+      values,
+      "Its values, one per scenario, separated by semicolons (so "
+      "none of them can have one).",
+      Patterns::Anything());
   }
 
 
@@ -123,18 +126,9 @@ namespace Waker
     if (parameter.empty())
       return {""};
     std::vector<std::string> result;
-    std::size_t              begin = 0;
-    while (begin <= values.size())
-      {
-        const std::size_t end =
-          std::min(values.find(';', begin), values.size());
-        const std::string item  = values.substr(begin, end - begin);
-        const std::size_t first = item.find_first_not_of(" \t");
-        const std::size_t last  = item.find_last_not_of(" \t");
-        if (first != std::string::npos)
-          result.push_back(item.substr(first, last - first + 1));
-        begin = end + 1;
-      }
+    for (const std::string &item : split(values, ';'))
+      if (!item.empty())
+        result.push_back(item);
     return result;
   }
 
@@ -156,12 +150,6 @@ namespace Waker
         throw UserError("Sweep/Values",
                         "contains " + item + " twice",
                         "each value once");
-    for (const char *const section :
-         {"Sweep/", "Campaign/", "Output/", "Snapshots/", "Slides/", "Risk/"})
-      if (parameter.rfind(section, 0) == 0)
-        throw UserError("Sweep/Parameter",
-                        "is \"" + parameter + "\"",
-                        "a parameter of the simulation");
   }
 
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/errors.h>
 #include <waker/reliability/input.h>
 
 namespace Waker
@@ -10,5 +11,11 @@ namespace Waker
     campaign.check();
     sweep.check();
     analysis.check();
+    for (const unsigned int number : snapshots.realisations)
+      if (number >= campaign.realisations)
+        throw UserError("Snapshots/Realisations",
+                        "contains " + std::to_string(number),
+                        "numbers from 0 to Campaign/Realisations - 1, " +
+                          std::to_string(campaign.realisations - 1));
   }
 } // namespace Waker

@@ -3,6 +3,7 @@
 #include <waker/base/log.h>
 #include <waker/output/files.h>
 #include <waker/reliability/campaign_folder.h>
+#include <waker/reliability/campaign_text.h>
 #include <waker/reliability/journal.h>
 #include <waker/reliability/progress.h>
 #include <waker/reliability/report.h>
@@ -115,11 +116,13 @@ namespace Waker
     if (!contents.records.empty())
       {
         const double mean = busy / contents.records.size();
+        const double rest =
+          (contents.n_wanted - contents.records.size()) * mean;
         log.line("  " + std::to_string(static_cast<int>(3600. / mean)) +
-                 " realisations an hour and core, " +
-                 std::to_string((contents.n_wanted - contents.records.size()) *
-                                mean / 3600.) +
-                 " core hours to go");
+                 " realisations an hour and core" +
+                 (rest > 0.
+                    ? "; at most " + duration_text(rest) + " of one core to go"
+                    : ""));
       }
     print_remarks(contents, log);
     log.line(report_text(contents.info,

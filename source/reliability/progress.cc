@@ -2,22 +2,23 @@
 #include <waker/reliability/intervals.h>
 #include <waker/reliability/progress.h>
 
-#include <algorithm>
-#include <cmath>
 
 namespace Waker
 {
+  Event::Event(const Record &record)
+    : numerical_failure(record.outcome == Outcome::numerical_failure)
+    , initial_failure(!numerical_failure && record.initial_time >= 0.)
+    , flooding(!numerical_failure && record.flooding_time >= 0.)
+  {}
+
+
   void
-  Counts::add(const Record &record)
+  Counts::add(const Event &event)
   {
     ++n;
-    if (record.outcome == Outcome::numerical_failure)
-      ++n_failures;
-    else
-      {
-        n_initial += record.initial_time >= 0. ? 1 : 0;
-        n_flooding += record.flooding_time >= 0. ? 1 : 0;
-      }
+    n_failures += event.numerical_failure ? 1 : 0;
+    n_initial += event.initial_failure ? 1 : 0;
+    n_flooding += event.flooding ? 1 : 0;
   }
 
 
@@ -32,12 +33,10 @@ namespace Waker
 
     const std::uint64_t k =
       p.target == "flooding" ? counts.n_flooding : counts.n_initial;
-    if (p.coefficient_of_variation > 0. && k > 0)
-      {
-        const double probability = double(k) / n;
-        if (std::sqrt((1. - probability) / k) < p.coefficient_of_variation)
-          return true;
-      }
+    // Where all realisations agree the variation is not known, it is not 0.
+    if (p.coefficient_of_variation > 0. && k < n &&
+        coefficient_of_variation(k, n) < p.coefficient_of_variation)
+      return true;
     if (p.interval_width > 0.)
       {
         const Interval interval = clopper_pearson(k, n);
@@ -67,16 +66,13 @@ namespace Waker
     if (record.scenario >= scenarios.size() ||
         record.realisation >= parameters.realisations)
       return; // of a longer campaign
-    Scenario &scenario = scenarios[record.scenario];
-    Brief    &brief    = scenario.realisations[record.realisation];
-    if (brief.done)
+    Scenario             &scenario = scenarios[record.scenario];
+    std::optional<Event> &event    = scenario.realisations[record.realisation];
+    if (event)
       return;
-    brief.done     = true;
-    brief.failure  = record.outcome == Outcome::numerical_failure;
-    brief.initial  = record.initial_time >= 0.;
-    brief.flooding = record.flooding_time >= 0.;
+    event = Event(record);
     if (record.realisation < scenario.end)
-      scenario.counts.add(record);
+      scenario.counts.add(*event);
     advance_prefix(scenario);
   }
 
@@ -85,17 +81,9 @@ namespace Waker
   Progress::advance_prefix(Scenario &scenario) const
   {
     while (!scenario.stopped && scenario.prefix < scenario.end &&
-           scenario.realisations[scenario.prefix].done)
+           scenario.realisations[scenario.prefix])
       {
-        const Brief &brief = scenario.realisations[scenario.prefix++];
-        ++scenario.prefix_counts.n;
-        if (brief.failure)
-          ++scenario.prefix_counts.n_failures;
-        else
-          {
-            scenario.prefix_counts.n_initial += brief.initial ? 1 : 0;
-            scenario.prefix_counts.n_flooding += brief.flooding ? 1 : 0;
-          }
+        scenario.prefix_counts.add(*scenario.realisations[scenario.prefix++]);
         if (scenario.prefix % parameters.batch == 0 &&
             enough(parameters, scenario.prefix_counts))
           {
@@ -111,7 +99,7 @@ namespace Waker
   Progress::is_done(const unsigned int  scenario,
                     const std::uint64_t realisation) const
   {
-    return scenarios[scenario].realisations[realisation].done;
+    return scenarios[scenario].realisations[realisation].has_value();
   }
 
 

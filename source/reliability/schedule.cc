@@ -4,6 +4,7 @@
 #include <waker/reliability/schedule.h>
 
 #include <algorithm>
+#include <exception>
 
 namespace Waker
 {
@@ -84,6 +85,10 @@ namespace Waker
 
   IndexCounter::~IndexCounter()
   {
+    // An exception is on its way on this rank only: the others do not come to
+    // the collective calls below, and the program is about to end them all.
+    if (std::uncaught_exceptions() > 0)
+      return;
     MPI_Win_unlock_all(window);
     MPI_Win_free(&window);
     MPI_Comm_free(&node_communicator);

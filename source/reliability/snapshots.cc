@@ -1,79 +1,158 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/hash.h>
-#include <waker/base/random_numbers.h>
 #include <waker/output/files.h>
+#include <waker/output/output_folder.h>
 #include <waker/reliability/journal.h>
+#include <waker/reliability/progress.h>
 #include <waker/reliability/random_properties.h>
+#include <waker/reliability/realisation_runner.h>
 #include <waker/reliability/snapshots.h>
 
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <map>
 #include <set>
+#include <unistd.h>
 #include <utility>
 
 namespace Waker
 {
+  namespace fs = std::filesystem;
+
+  namespace
+  {
+    /// "realisation 17 of seed 1, attempt 2": what tells a run from others of
+    /// the same parameters.
+    std::string
+    title(const Input        &input,
+          const std::uint64_t realisation,
+          const unsigned int  attempt)
+    {
+      return "realisation " + std::to_string(realisation) + " of seed " +
+             std::to_string(input.reliability.campaign.seed) + ", attempt " +
+             std::to_string(attempt + 1);
+    }
+
+
+    Parameters
+    run_parameters(const Input        &input,
+                   const std::uint64_t realisation,
+                   const unsigned int  attempt,
+                   const std::string  &directory)
+    {
+      Parameters        parameters = input.simulation;
+      const std::string name       = title(input, realisation, attempt);
+      parameters.text              = "# " + name + "\n" + parameters.text;
+      parameters.hash              = hash_of_text(parameters.hash + name);
+      parameters.output.directory  = directory;
+      parameters.time.time_step =
+        std::ldexp(parameters.time.time_step, -static_cast<int>(attempt));
+      return parameters;
+    }
+
+
+    template <int dim>
+    InitialSetup<dim>
+    initial_setup(const Input        &input,
+                  const std::uint64_t realisation,
+                  const unsigned int  attempt)
+    {
+      return [&input, realisation, attempt](const Case<dim> &the_case,
+                                            State<dim>      &state) {
+        const RandomProperties<dim> properties(the_case,
+                                               input.reliability.fields);
+        properties.apply(realisation_noise(input.reliability.campaign.seed,
+                                           realisation,
+                                           properties.n_noise())
+                           .data(),
+                         state);
+
+        std::vector<std::string> lines = properties.description();
+        const auto [mean, least]       = properties.mean_and_least(state);
+        char text[80];
+        std::snprintf(
+          text, sizeof text, ": mean %.3f, least %.3f kPa", mean, least);
+        lines.push_back("This is " + title(input, realisation, attempt) + text);
+        return lines;
+      };
+    }
+
+
+    /// The attempt whose run is in the folder; 0 if none is.
+    unsigned int
+    attempt_in_folder(const Input        &input,
+                      const std::uint64_t realisation,
+                      const std::string  &directory)
+    {
+      const std::string path = join_path(directory, "parameters.prm");
+      std::error_code   error;
+      if (!fs::exists(path, error))
+        return 0;
+      const std::string text = read_file(path);
+      for (unsigned int a = 1; a < input.reliability.campaign.attempts; ++a)
+        if (text.rfind("# " + title(input, realisation, a) + "\n", 0) == 0)
+          return a;
+      return 0;
+    }
+  } // namespace
+
+
   template <int dim>
-  InitialSetup<dim>
-  realisation_setup(const Input &input, const std::uint64_t realisation)
+  RunStatus
+  run_realisation(const Input        &input,
+                  const std::uint64_t realisation,
+                  const std::string  &directory,
+                  const RunOptions   &given_options,
+                  const MPI_Comm      communicator)
   {
-    return [&input, realisation](const Case<dim> &the_case, State<dim> &state) {
-      const RandomProperties<dim> properties(the_case,
-                                             input.reliability.fields);
-      const std::uint64_t         seed = input.reliability.campaign.seed;
-      std::vector<double>         noise(properties.n_noise());
-      white_noise({seed, realisation, 0}, 0, noise.size(), noise.data());
-      properties.apply(noise.data(), state);
-
-      std::vector<std::string> lines = properties.description();
-      const auto [mean, least]       = properties.mean_and_least(state);
-      char text[160];
-      std::snprintf(text,
-                    sizeof text,
-                    "Realisation %llu of seed %llu: mean %.3f, least %.3f kPa",
-                    static_cast<unsigned long long>(realisation),
-                    static_cast<unsigned long long>(seed),
-                    mean,
-                    least);
-      lines.push_back(text);
-      return lines;
-    };
-  }
-
-
-  Parameters
-  realisation_parameters(const Input &input, const std::uint64_t realisation)
-  {
-    Parameters        parameters = input.simulation;
-    const std::string which = "realisation " + std::to_string(realisation) +
-                              " of seed " +
-                              std::to_string(input.reliability.campaign.seed);
-    parameters.text = "# " + which + "\n" + parameters.text;
-    parameters.hash = hash_of_text(parameters.hash + which);
-    return parameters;
+    RunOptions   options = given_options;
+    unsigned int attempt =
+      options.resume ? attempt_in_folder(input, realisation, directory) : 0;
+    while (true)
+      {
+        const RunStatus status =
+          run<dim>(run_parameters(input, realisation, attempt, directory),
+                   options,
+                   communicator,
+                   initial_setup<dim>(input, realisation, attempt));
+        if (status != RunStatus::numerical_failure || options.validate_only ||
+            ++attempt >= input.reliability.campaign.attempts)
+          return status;
+        options.resume    = false;
+        options.overwrite = true;
+      }
   }
 
 
   namespace
   {
+    using Choice = std::set<std::pair<unsigned int, std::uint64_t>>;
+
     /// (scenario, realisation) of those that are asked for.
-    std::set<std::pair<unsigned int, std::uint64_t>>
-    chosen(const SnapshotParameters  &parameters,
-           const std::vector<Record> &records,
-           const Progress            &progress)
+    Choice
+    chosen(const Scenarios           &scenarios,
+           const std::vector<Record> &records) // in order of number
     {
-      std::set<std::pair<unsigned int, std::uint64_t>>         result;
+      const SnapshotParameters &parameters =
+        scenarios[0]->reliability.snapshots;
+      Progress progress(scenarios[0]->reliability.campaign, scenarios.size());
+      for (const Record &record : records)
+        progress.add(record);
+
+      Choice                                                   result;
       std::map<std::pair<unsigned int, Outcome>, unsigned int> count;
-      for (const Record &record : records) // in order of number
+      for (const Record &record : records)
         {
           if (record.realisation >= progress.end(record.scenario))
             continue;
-          bool wanted = record.realisation < parameters.first;
+          const unsigned int before =
+            count[{record.scenario, record.outcome}]++;
+          bool wanted = record.realisation < parameters.first ||
+                        before < parameters.of_each_outcome;
           for (const unsigned int number : parameters.realisations)
             wanted = wanted || record.realisation == number;
-          if (wanted || count[{record.scenario, record.outcome}]++ <
-                          parameters.of_each_outcome)
+          if (wanted)
             result.insert({record.scenario, record.realisation});
         }
       return result;
@@ -86,7 +165,6 @@ namespace Waker
   make_snapshots(const Scenarios                  &scenarios,
                  const std::string                &folder,
                  const std::string                &hash,
-                 const Progress                   &progress,
                  const volatile std::sig_atomic_t *interrupt,
                  const MPI_Comm                    communicator)
   {
@@ -95,59 +173,67 @@ namespace Waker
         wanted.realisations.empty())
       return true;
 
+    const fs::path snapshots = fs::path(folder) / "snapshots";
+    fs::create_directories(snapshots);
     unsigned int       number  = 0;
     bool               done    = true;
     const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator);
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
     for (const auto &[scenario, realisation] :
-         chosen(wanted, read_journals(folder, hash).records, progress))
+         chosen(scenarios, read_journals(folder, hash).records))
       {
-        if (number++ % n_ranks != rank)
+        const std::string name =
+          std::to_string(scenario) + "-" + std::to_string(realisation);
+        std::error_code error;
+        if (number++ % n_ranks != rank || fs::exists(snapshots / name, error))
           continue;
-        const Input &input      = *scenarios[scenario];
-        Parameters   parameters = realisation_parameters(input, realisation);
-        parameters.output.directory = join_path(join_path(folder, "snapshots"),
-                                                std::to_string(scenario) + "-" +
-                                                  std::to_string(realisation));
-        if (std::filesystem::exists(
-              join_path(parameters.output.directory, "summary.json")))
-          continue;
-        std::filesystem::create_directories(parameters.output.directory);
 
+        // Under another name until it is whole: another part of the campaign
+        // may be making it, too.
+        const fs::path unfinished =
+          snapshots / ("." + name + "." + std::to_string(::getpid()));
         RunOptions options;
         options.overwrite = true;
         options.quiet     = true;
         options.interrupt = interrupt;
-        if (run<dim>(parameters,
-                     options,
-                     MPI_COMM_SELF,
-                     realisation_setup<dim>(input, realisation)) ==
-            RunStatus::interrupted)
-          {
-            done = false;
-            break;
-          }
+        done              = run_realisation<dim>(*scenarios[scenario],
+                                    realisation,
+                                    unfinished.string(),
+                                    options,
+                                    MPI_COMM_SELF) != RunStatus::interrupted;
+        if (done)
+          fs::rename(unfinished, snapshots / name, error);
+        if (!done || error)
+          remove_run_folder(unfinished.string());
+        if (!done)
+          break;
       }
     return Utilities::MPI::min(done ? 1 : 0, communicator) == 1;
   }
 
 
-  template InitialSetup<2>
-  realisation_setup(const Input &, const std::uint64_t);
-  template InitialSetup<3>
-  realisation_setup(const Input &, const std::uint64_t);
+  template RunStatus
+  run_realisation<2>(const Input &,
+                     const std::uint64_t,
+                     const std::string &,
+                     const RunOptions &,
+                     const MPI_Comm);
+  template RunStatus
+  run_realisation<3>(const Input &,
+                     const std::uint64_t,
+                     const std::string &,
+                     const RunOptions &,
+                     const MPI_Comm);
   template bool
   make_snapshots<2>(const Scenarios &,
                     const std::string &,
                     const std::string &,
-                    const Progress &,
                     const volatile std::sig_atomic_t *,
                     const MPI_Comm);
   template bool
   make_snapshots<3>(const Scenarios &,
                     const std::string &,
                     const std::string &,
-                    const Progress &,
                     const volatile std::sig_atomic_t *,
                     const MPI_Comm);
 } // namespace Waker

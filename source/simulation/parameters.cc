@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/parameter_handler.h>
 
+#include <waker/base/checks.h>
 #include <waker/base/errors.h>
 #include <waker/simulation/parameters.h>
 
@@ -152,19 +153,13 @@ namespace Waker
   void
   StrengthReductionParameters::check() const
   {
-    if (!(lower_factor > 0.))
-      throw UserError("Strength reduction/Lower factor",
-                      "is " + number(lower_factor),
-                      "a number above 0");
+    require_positive("Strength reduction/Lower factor", lower_factor);
     if (!(upper_factor > lower_factor))
       throw UserError("Strength reduction/Upper factor",
                       "is " + number(upper_factor) + ", the lower factor " +
                         number(lower_factor),
                       "above the lower factor");
-    if (!(tolerance > 0.))
-      throw UserError("Strength reduction/Tolerance",
-                      "is " + number(tolerance),
-                      "a number above 0");
+    require_positive("Strength reduction/Tolerance", tolerance);
   }
 
 
@@ -203,10 +198,7 @@ namespace Waker
                       "at least one, or Gravity/Initial stress = false");
     check_water(water, layers);
 
-    if (!(surface.kernel_radius > 0.))
-      throw UserError("Surface/Kernel radius",
-                      "is " + number(surface.kernel_radius),
-                      "a number above 0");
+    require_positive("Surface/Kernel radius", surface.kernel_radius);
     if (!(surface.threshold > 0. && surface.threshold < 1.))
       throw UserError("Surface/Threshold",
                       "is " + number(surface.threshold),

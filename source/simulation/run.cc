@@ -177,6 +177,7 @@ namespace Waker
       const InitialSetup<dim> &setup)
   {
     const std::string &directory = parameters.output.directory;
+    refuse_campaign_folder(directory);
     check_output_folder(directory, folder_mode(options));
     Log log = options.quiet ? Log() : Log(std::cout, Log::is_terminal());
     std::unique_ptr<const Case<dim>> pointer;

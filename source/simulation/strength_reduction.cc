@@ -253,6 +253,7 @@ namespace Waker
     const FolderMode   mode      = options.resume      ? FolderMode::resume
                                    : options.overwrite ? FolderMode::overwrite
                                                        : FolderMode::must_be_new;
+    refuse_campaign_folder(parameters.output.directory);
     check_output_folder(directory, mode);
     const Case<dim> the_case(parameters, communicator);
     if (the_case.initial_points.find_scalar("undrained shear strength") < 0)

@@ -2,10 +2,33 @@
 #ifndef waker_output_output_folder_h
 #define waker_output_output_folder_h
 
+#include <functional>
 #include <string>
 
 namespace Waker
 {
+  /// "particles-00012.vtu" of "particles-" and ".vtu"?
+  bool
+  is_numbered(const std::string &name,
+              const std::string &start,
+              const std::string &end);
+
+  /// Remove the files of a folder whose names `is_ours` knows, also those that
+  /// a killed process has left under a temporary name ("log.txt.tmp").
+  /// @throws UserError "Output/Directory"
+  void
+  remove_files(const std::string                              &folder,
+               const std::function<bool(const std::string &)> &is_ours);
+
+  /// Remove a run from its folder, and the folder if nothing else is in it.
+  void
+  remove_run_folder(const std::string &folder);
+
+  /// @throws UserError "Output/Directory" if the folder holds a campaign, whose
+  /// files a run would replace
+  void
+  refuse_campaign_folder(const std::string &directory);
+
   /// What a run does with a folder that is not empty.
   enum class FolderMode
   {

@@ -2,6 +2,8 @@
 #ifndef waker_program_prm_scanner_h
 #define waker_program_prm_scanner_h
 
+#include <waker/base/text.h>
+
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -58,14 +60,6 @@ namespace Waker
   /// "Section/Name", or only "Name" at the top level.
   std::string
   parameter_path(const std::string &section, const std::string &name);
-
-  /// Blanks removed at both ends, and runs of them made one.
-  std::string
-  tidy(const std::string &text);
-
-  /// The parts of `text` between separators, tidied; none of an empty text.
-  std::vector<std::string>
-  split(const std::string &text, const char separator);
 
   /// In quotation marks on one line: unprintable characters replaced, long
   /// texts cut.

@@ -19,11 +19,15 @@ namespace Waker
 
   /**
    * Make the folder, or join the campaign in it (resume, parts): its hash must
-   * be that of `info`. Writes campaign.json and parameters.prm, with the larger
-   * number of realisations if there are two. `overwrite` removes the files of
-   * an earlier campaign, by their names, and nothing else.
+   * be that of `info`, its number of realisations not larger. Writes
+   * campaign.json and parameters.prm; a part leaves those that are there unless
+   * it brings more realisations. `overwrite` removes the files of an earlier
+   * campaign, by their names, and nothing else.
+   *
+   * @return a warning for the log, or nothing: the campaign was begun by
+   * another version, or the part has other parameters of the analysis
    */
-  void
+  std::string
   prepare_campaign_folder(const std::string     &folder,
                           const CampaignInfo    &info,
                           const CampaignOptions &options);

@@ -6,10 +6,22 @@
 #include <waker/reliability/record.h>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace Waker
 {
+  /// What a record says to the stop rules.
+  struct Event
+  {
+    explicit Event(const Record &record);
+
+    bool numerical_failure;
+    bool initial_failure;
+    bool flooding;
+  };
+
+
   struct Counts
   {
     std::uint64_t n          = 0; // finished, numerical failures included
@@ -18,7 +30,7 @@ namespace Waker
     std::uint64_t n_flooding = 0; // F
 
     void
-    add(const Record &record);
+    add(const Event &event);
   };
 
 
@@ -83,20 +95,12 @@ namespace Waker
     }
 
   private:
-    struct Brief
-    {
-      bool done     = false;
-      bool failure  = false;
-      bool initial  = false;
-      bool flooding = false;
-    };
-
     struct Scenario
     {
-      std::vector<Brief> realisations;
-      std::uint64_t      end     = 0;
-      bool               stopped = false;
-      Counts             counts; // of the realisations below `end`
+      std::vector<std::optional<Event>> realisations; // none: not done
+      std::uint64_t                     end     = 0;
+      bool                              stopped = false;
+      Counts counts; // of the realisations below `end`
 
       std::uint64_t prefix = 0; // all before are done
       Counts        prefix_counts;

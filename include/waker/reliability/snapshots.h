@@ -3,27 +3,35 @@
 #define waker_reliability_snapshots_h
 
 #include <waker/reliability/campaign.h>
-#include <waker/reliability/progress.h>
 #include <waker/simulation/run.h>
 
+#include <cstdint>
 #include <string>
 
 namespace Waker
 {
-  /// Gives a run the random properties of realisation `realisation`.
+  /**
+   * Run one realisation of a campaign with full output to the folder
+   * `directory`. As in the campaign, one that fails numerically is begun again
+   * with half the time step, up to Campaign/Attempts times; the folder holds
+   * the last attempt.
+   *
+   * @throws UserError before anything is written
+   */
   template <int dim>
-  InitialSetup<dim>
-  realisation_setup(const Input &input, const std::uint64_t realisation);
-
-  /// The parameters of that run: name and hash say which realisation it is.
-  Parameters
-  realisation_parameters(const Input &input, const std::uint64_t realisation);
+  RunStatus
+  run_realisation(const Input        &input,
+                  const std::uint64_t realisation,
+                  const std::string  &directory,
+                  const RunOptions   &options,
+                  const MPI_Comm      communicator);
 
   /**
    * Run the realisations that section "Snapshots" asks for again, with full
    * output, to folder/snapshots/<scenario>-<realisation>. Those that are there
    * already stay. Collective over the communicator.
    *
+   * @param hash of the campaign in the folder
    * @return false if interrupted
    */
   template <int dim>
@@ -31,7 +39,6 @@ namespace Waker
   make_snapshots(const Scenarios                  &scenarios,
                  const std::string                &folder,
                  const std::string                &hash,
-                 const Progress                   &progress,
                  const volatile std::sig_atomic_t *interrupt,
                  const MPI_Comm                    communicator);
 } // namespace Waker

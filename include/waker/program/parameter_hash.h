@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_program_parameter_hash_h
+#define waker_program_parameter_hash_h
+
+#include <waker/program/declared_parameters.h>
+
+#include <string>
+#include <vector>
+
+namespace Waker
+{
+  /**
+   * Hash of all that decides how the state of a realisation goes on from one
+   * step to the next: how it is watched and when it stops may change when a run
+   * is resumed.
+   *
+   * @throws UserError with the path of a parameter that names a file which
+   * cannot be read: its contents count
+   */
+  std::string
+  hash_of_steps(const std::vector<DeclaredParameter> &parameters);
+
+  /// Hash of all that decides the records of a campaign: also stop rules, end
+  /// time and seed.
+  std::string
+  hash_of_records(const std::vector<DeclaredParameter> &parameters);
+} // namespace Waker
+
+#endif

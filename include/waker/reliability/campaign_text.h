@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_reliability_campaign_text_h
+#define waker_reliability_campaign_text_h
+
+#include <waker/reliability/campaign_info.h>
+#include <waker/reliability/progress.h>
+
+#include <cstdint>
+#include <string>
+
+namespace Waker
+{
+  /// What has been computed by all ranks of this start of the program.
+  struct Work
+  {
+    std::uint64_t n    = 0;  // realisations
+    double        busy = 0.; // s, sum of their wall times
+    double        wall = 0.; // s, of the slowest rank
+  };
+
+  /// "12.3 s", "4.5 min", "2.1 h"
+  std::string
+  duration_text(const double seconds);
+
+  /// What is about to be computed: hash, scenarios, number, seed, ranks.
+  std::string
+  campaign_text(const CampaignInfo &info, const int n_ranks);
+
+  /// "84 of at most 200, S1 12, flooded 9, P(F) = 0.107 [0.0502, 0.194]"; the
+  /// probability only of a single scenario.
+  std::string
+  progress_text(const Progress &progress, const unsigned int n_scenarios);
+
+  /// "200 realisations in 45 s on 2 rank(s): 8000 an hour and core; ranks busy
+  /// 99.1 %"
+  std::string
+  work_text(const Work &work, const int n_ranks);
+} // namespace Waker
+
+#endif

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/reliability/campaign_text.h>
+#include <waker/reliability/intervals.h>
+
+#include <cstdio>
+
+namespace Waker
+{
+  std::string
+  duration_text(const double seconds)
+  {
+    char text[40];
+    if (seconds < 100.)
+      std::snprintf(text, sizeof text, "%.1f s", seconds);
+    else if (seconds < 6000.)
+      std::snprintf(text, sizeof text, "%.1f min", seconds / 60.);
+    else
+      std::snprintf(text, sizeof text, "%.1f h", seconds / 3600.);
+    return text;
+  }
+
+
+  std::string
+  campaign_text(const CampaignInfo &info, const int n_ranks)
+  {
+    std::string text =
+      "Campaign " + info.hash + ": " + std::to_string(info.scenarios.size()) +
+      " scenario(s) of up to " + std::to_string(info.realisations) +
+      " realisations, seed " + std::to_string(info.seed) + ", " +
+      std::to_string(n_ranks) + " rank(s)";
+    if (!info.swept_parameter.empty())
+      for (const ScenarioInfo &scenario : info.scenarios)
+        text += "\n  " + info.swept_parameter + " = " + scenario.value;
+    return text;
+  }
+
+
+  std::string
+  progress_text(const Progress &progress, const unsigned int n_scenarios)
+  {
+    Counts sum;
+    for (unsigned int s = 0; s < n_scenarios; ++s)
+      {
+        const Counts &counts = progress.counts(s);
+        sum.n += counts.n;
+        sum.n_failures += counts.n_failures;
+        sum.n_initial += counts.n_initial;
+        sum.n_flooding += counts.n_flooding;
+      }
+    std::string text = std::to_string(sum.n) + " of at most " +
+                       std::to_string(progress.n_wanted()) + ", S1 " +
+                       std::to_string(sum.n_initial) + ", flooded " +
+                       std::to_string(sum.n_flooding);
+    if (sum.n_failures > 0)
+      text += ", numerical failures " + std::to_string(sum.n_failures);
+    if (n_scenarios == 1 && sum.n > sum.n_failures)
+      {
+        const Proportion p = proportion(sum.n_flooding, sum.n - sum.n_failures);
+        char             numbers[80];
+        std::snprintf(numbers,
+                      sizeof numbers,
+                      ", P(F) = %.3g [%.3g, %.3g]",
+                      p.estimate,
+                      p.low,
+                      p.high);
+        text += numbers;
+      }
+    return text;
+  }
+
+
+  std::string
+  work_text(const Work &work, const int n_ranks)
+  {
+    char text[200];
+    std::snprintf(
+      text,
+      sizeof text,
+      "%llu realisations in %s on %d rank(s): %.0f an hour and core; "
+      "ranks busy %.1f %%",
+      static_cast<unsigned long long>(work.n),
+      duration_text(work.wall).c_str(),
+      n_ranks,
+      work.n / (work.wall * n_ranks) * 3600.,
+      100. * work.busy / (work.wall * n_ranks));
+    return text;
+  }
+} // namespace Waker
