@@ -26,6 +26,9 @@ def main():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("--analysis1", metavar="DIR", help="the base case")
+    parser.add_argument("--analysis1-points", metavar="DIR",
+                        help="the base case with `Statistics of = points`:\n"
+                             "dotted in figure 5.6")
     parser.add_argument("--analysis2", metavar="DIR",
                         help="sweep over the horizontal scale of fluctuation")
     parser.add_argument("--analysis3", metavar="DIR",
@@ -52,7 +55,7 @@ def main():
         """One or more figures of analysis `number`."""
         if number not in stores:
             reason = f"needs --analysis{number}"
-        elif None in more:
+        elif more == (None,):
             reason = "needs --waker"
         else:
             reason = function(files, scenarios[number], *more)
@@ -60,6 +63,8 @@ def main():
             missing[names] = reason
 
     base = stores[1].scenarios[0] if 1 in stores else None
+    points = (Store(arguments.analysis1_points).scenarios[0]
+              if arguments.analysis1_points else None)
     scenarios = {1: base}
     for number, key in ((2, "scale_x"), (3, "freeboard")):
         if number in stores:
@@ -68,7 +73,7 @@ def main():
                 key=lambda scenario: getattr(scenario, key))
 
     draw("5.5", 1, realisations.figure_5_5, runner)
-    draw("5.6", 1, probability.figure_5_6)
+    draw("5.6", 1, probability.figure_5_6, *([points] if points else []))
     draw("5.7, 5.8", 2, probability.draw_scales)
     draw("5.9", 2, geometry.figure_5_9)
     draw("5.10", 2, geometry.figure_5_10)

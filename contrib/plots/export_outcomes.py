@@ -7,14 +7,18 @@
 DIR is the folder of a campaign after `waker merge`. Version, seed and parameter
 hash are in comment lines, so that a later run of the same parameters can extend
 the table. Numbers have three decimals; an event that did not occur leaves its
-field empty. If OUT.csv would be larger than a megabyte, each scenario gets a
+field empty. Missing folders are made. A file of the same hash that is there is
+compared with the new lines, and replaced unless it has more. If OUT.csv would be larger than a megabyte, each scenario gets a
 file of its own, OUT-0.csv, OUT-1.csv and so on, and a scenario that is still too
 large is cut into OUT-0a.csv, OUT-0b.csv.
 """
 
 import argparse
+import glob
 import os
+import re
 import string
+import sys
 
 import numpy as np
 
@@ -71,21 +75,52 @@ def pieces(lines, size):
     yield piece
 
 
-def write(path, text):
-    with open(path, "w", encoding="utf-8") as file:
-        file.write(text)
-    print(f"{path}: {os.path.getsize(path)} bytes")
+def outcomes(text):
+    """(parameter hash, {(scenario, realisation): line}) of a table."""
+    lines = text.splitlines()
+    found = re.search(r"parameters (\S+), seed", lines[0] if lines else "")
+    return found and found[1], {
+        tuple(line.split(",", 2)[:2]): line for line in lines
+        if line[:1].isdigit()}
 
 
-def export(store, path):
-    """Returns the paths that were written."""
+def earlier(path, new_hash):
+    """What is there of the same campaign: ({file}, {key: line})."""
+    stem, ending = os.path.splitext(path)
+    names, lines = set(), {}
+    for name in [path] + glob.glob(f"{glob.escape(stem)}-[0-9]*{ending}"):
+        if os.path.exists(name):
+            with open(name, encoding="utf-8") as file:
+                old_hash, old = outcomes(file.read())
+            if old_hash == new_hash:
+                names.add(name)
+                lines.update(old)
+    return names, lines
+
+
+def compare(path, old, new):
+    """Says how many outcomes differ from those in the files that are there. A
+    table with more realisations of the same campaign is not replaced."""
+    if not old:
+        return
+    both = old.keys() & new.keys()
+    differ = sum(old[key] != new[key] for key in both)
+    print(f"{path}: {differ} of {len(both)} outcomes differ from those in the "
+          "file", file=sys.stderr if differ else sys.stdout)
+    if len(old) > len(new):
+        raise SystemExit(
+            f"{path}: has {len(old)} realisations of the same campaign, the "
+            f"store has {len(new)}; remove it to have it replaced")
+
+
+def tables(store, path):
+    """{path: text}"""
     whole = head(store, store.scenarios) + "".join(
         line for scenario in store.scenarios for line in lines_of(scenario))
     if len(whole.encode()) < LIMIT:
-        write(path, whole)
-        return [path]
+        return {path: whole}
     stem, ending = os.path.splitext(path)
-    written = []
+    result = {}
     for scenario in store.scenarios:
         top = head(store, [scenario])
         parts = list(pieces(lines_of(scenario),
@@ -96,9 +131,26 @@ def export(store, path):
         for letter, part in zip(string.ascii_lowercase, parts):
             name = (f"{stem}-{scenario.index}"
                     f"{letter if len(parts) > 1 else ''}{ending}")
-            write(name, top + "".join(part))
-            written.append(name)
-    return written
+            result[name] = top + "".join(part)
+    return result
+
+
+def export(store, path):
+    """Returns the paths that were written."""
+    written = tables(store, path)
+    new = {}
+    for text in written.values():
+        new.update(outcomes(text)[1])
+    names, old = earlier(path, store.attribute("parameters_hash"))
+    compare(path, old, new)
+    os.makedirs(os.path.dirname(path) or ".", exist_ok=True)
+    for name, text in written.items():
+        with open(name, "w", encoding="utf-8") as file:
+            file.write(text)
+        print(f"{name}: {os.path.getsize(name)} bytes")
+    for name in names - written.keys():  # the table is cut in another way now
+        os.remove(name)
+    return list(written)
 
 
 def main():

@@ -26,9 +26,10 @@ def time_axis(panel, end):
     panel.set_xticks(np.arange(0.0, end + 0.1, 5.0))
 
 
-def figure_5_6(files, base):
-    """Analysis 1: probability per half second, and before a given time."""
-    end, width = last_event([base]), 0.5
+def figure_5_6(files, base, points=None):
+    """Analysis 1: probability per half second, and before a given time; also
+    with the statistics of points, if that campaign is given."""
+    end, width = last_event([base] + ([points] if points else [])), 0.5
     edges = np.arange(0.0, end + width / 2, width)
     grid = np.arange(0.0, end + 0.05, 0.1)
     figure, axes = plt.subplots(2, 2, figsize=(7.2, 4.6), sharex=True,
@@ -48,6 +49,12 @@ def figure_5_6(files, base):
         upper.axhline(PRINTED_BASE[name], color="black", linestyle="--",
                       linewidth=1.0,
                       label=f"thesis, all times: {PRINTED_BASE[name]:.2f}")
+        if points:
+            other = before(points.times(event), points.n, grid)
+            upper.plot(grid, other[0], color=style["color"], linestyle=":",
+                       label=f"COV of the points, $N$ = {points.n}")
+            rows += [[name + ", points", "before", t, "", e, l, h]
+                     for t, e, l, h in zip(grid, *other)]
         upper.legend(loc="lower right")
         counts, _ = np.histogram(times, edges)
         lower.bar(edges[:-1], counts / max(1, base.n), width, align="edge",
@@ -61,7 +68,8 @@ def figure_5_6(files, base):
     axes[1, 0].set_ylabel(f"probability per {width:g} s")
     axes[0, 0].set_ylim(bottom=0.0)
     time_axis(axes[0, 0], end)
-    files.save(figure, "figure_5_06", [base.store],
+    files.save(figure, "figure_5_06",
+               [base.store] + ([points.store] if points else []),
                ["event", "kind", "time_s", "until_s", "probability", "low",
                 "high"], rows,
                [f"{base.n} realisations, {base.n_numerical_failures} more "

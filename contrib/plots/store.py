@@ -116,6 +116,13 @@ class Store:
     def attribute(self, name):
         return text(self.file.attrs[name])
 
+    def machines(self):
+        """What computed the realisations: dictionaries with host, processor,
+        cores, version, compiler, build_flags, start, journals, realisations
+        and wall_time (s, summed). Empty in a store of an earlier version."""
+        return (json.loads(self.attribute("machines"))
+                if "machines" in self.file.attrs else [])
+
     def describe(self):
         """One line for the head of a CSV file."""
         return (f"Waker {self.attribute('version')}, parameters "

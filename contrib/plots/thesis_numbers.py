@@ -28,11 +28,15 @@ class Entry:
     instead: str = ""  # where to look if there is no function
 
 
+POINTS = "1, points"  # key of analysis 1 with `Statistics of = points`
+
+
 class Stores:
     """The scenarios of the three analyses; lists are empty where missing."""
 
     def __init__(self, stores):
         self.base = stores[1].scenarios[0] if 1 in stores else None
+        self.points = stores[POINTS].scenarios[0] if POINTS in stores else None
         self.scales = sorted(
             campaign.with_base_case(stores[2].scenarios, self.base)
             if 2 in stores else [], key=lambda s: s.scale_x)

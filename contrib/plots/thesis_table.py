@@ -64,6 +64,10 @@ def largest_scale(stores):
     return stores.scales[-1] if stores.scales else None
 
 
+def points(stores):
+    return stores.points
+
+
 def lowest_water(stores):
     return stores.levels[-1] if stores.levels else None
 
@@ -92,10 +96,16 @@ ROWS = [
     ]),
     ("5.4.1: analysis 1, the base case", [
         Entry("5.4.1, fig. 5.6", "P(S₁)", "about 0.12", probability("S1")),
+        Entry("5.4.1, fig. 5.6", "P(S₁), COV of the points",
+              "about 0.12", probability("S1", points)),
         Entry("5.4.1, (5.1)", "P(S₁) in the thesis's reading, W < W_i",
               "about 0.12", probability("S1_thesis")),
         Entry("5.4.1, fig. 5.6", "P(F)", "about 0.09", probability("F")),
+        Entry("5.4.1, fig. 5.6", "P(F), COV of the points",
+              "about 0.09", probability("F", points)),
         Entry("5.4.1, 5.5", "P(F\\|S₁)", "0.75", probability("F_given_S1")),
+        Entry("5.4.1, 5.5", "P(F\\|S₁), COV of the points",
+              "0.75", probability("F_given_S1", points)),
         Entry("ch. 5 abstract, 5.4.1, 5.5, 7.4",
               "reduction 1 − P(F\\|S₁), layered soil", "25 % (7.4: below 25 %)",
               probability("F_given_S1", complement=True)),

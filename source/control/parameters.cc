@@ -1,25 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/parameter_handler.h>
 
-#include <waker/base/errors.h>
+#include <waker/base/checks.h>
 #include <waker/control/parameters.h>
 
 namespace Waker
 {
-  namespace
-  {
-    /// deal.II's Patterns::Double(0) admits 0.
-    void
-    require_positive(const std::string &path, const double value)
-    {
-      if (!(value > 0.))
-        throw UserError(path,
-                        "is " + Patterns::Tools::to_string(value),
-                        "a number above 0");
-    }
-  } // namespace
-
-
   void
   InitialFailureParameters::add_parameters(ParameterHandler &prm)
   {

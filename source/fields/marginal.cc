@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/exceptions.h>
+
 #include <waker/base/errors.h>
 #include <waker/base/random_numbers.h>
 #include <waker/fields/marginal.h>
@@ -32,15 +34,16 @@ namespace Waker
     constexpr double smallest_share = 1e-100;
 
 
-    /// Mean and standard deviation of the logarithm.
+    /// The logarithm is mean + sd z. With mean m and standard deviation s of
+    /// the values for standard normal z, and mean m for any variance of z.
     struct OfLogarithm
     {
       double mean, sd;
 
-      OfLogarithm(const double m, const double s)
+      OfLogarithm(const double m, const double s, const double variance_of_z)
       {
         const double variance = std::log1p((s / m) * (s / m));
-        mean                  = std::log(m) - 0.5 * variance;
+        mean                  = std::log(m) - 0.5 * variance * variance_of_z;
         sd                    = std::sqrt(variance);
       }
     };
@@ -130,8 +133,13 @@ namespace Waker
 
 
   double
-  Marginal::value(const double z, const double mean, const double sd) const
+  Marginal::value(const double z,
+                  const double mean,
+                  const double sd,
+                  const double variance) const
   {
+    Assert(variance == 1. || type == Kind::normal || type == Kind::lognormal,
+           dealii::ExcMessage("This distribution takes standard normal z."));
     if (sd == 0.)
       return std::clamp(mean, minimum, maximum);
 
@@ -144,7 +152,7 @@ namespace Waker
 
         case Kind::lognormal:
           {
-            const OfLogarithm logarithm(mean, sd);
+            const OfLogarithm logarithm(mean, sd, variance);
             x = std::exp(logarithm.mean + logarithm.sd * z);
             break;
           }
@@ -184,7 +192,8 @@ namespace Waker
   double
   Marginal::normal_score(const double value,
                          const double mean,
-                         const double sd) const
+                         const double sd,
+                         const double variance) const
   {
     double below = 0., above = 0.;
     switch (type)
@@ -194,7 +203,7 @@ namespace Waker
 
         case Kind::lognormal:
           {
-            const OfLogarithm logarithm(mean, sd);
+            const OfLogarithm logarithm(mean, sd, variance);
             return (std::log(value) - logarithm.mean) / logarithm.sd;
           }
 
@@ -218,7 +227,40 @@ namespace Waker
             break;
           }
       }
-    return below <= above ? standard_normal_quantile(below)
-                          : -standard_normal_quantile(above);
+    // Probabilities that round to 0 are not for the quantile function.
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    if (below <= above)
+      return below > 0. ? standard_normal_quantile(below) : -infinity;
+    return above > 0. ? -standard_normal_quantile(above) : infinity;
+  }
+
+
+  std::string
+  Marginal::value_problem(const double value,
+                          const double mean,
+                          const double sd) const
+  {
+    const bool open = type == Kind::truncated_normal || type == Kind::beta;
+    std::ostringstream allowed;
+    if (!(sd > 0.))
+      allowed << "none: the distribution has no spread there";
+    else if (type == Kind::lognormal && !(value > 0.))
+      allowed << "above 0";
+    else if (!(open ? value > minimum && value < maximum
+                    : value >= minimum && value <= maximum))
+      {
+        const bool below = std::isfinite(minimum);
+        const bool above = std::isfinite(maximum);
+        if (below)
+          allowed << (open ? "above " : "at least ") << minimum;
+        if (above)
+          allowed << (below ? ", " : "") << (open ? "below " : "at most ")
+                  << maximum;
+        if (!below && !above)
+          allowed << "a number";
+      }
+    else if (!std::isfinite(normal_score(value, mean, sd)))
+      allowed << "nearer to the mean, " << mean;
+    return allowed.str();
   }
 } // namespace Waker

@@ -2,6 +2,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <waker/base/errors.h>
+#include <waker/base/text.h>
 #include <waker/fields/marginal.h>
 #include <waker/fields/parameters.h>
 
@@ -141,6 +142,14 @@ namespace Waker
                       "is not given",
                       "a number above Minimum: a beta distribution lies "
                       "between the two");
+    // Its scores vary less than a standard normal number: these two
+    // distributions would keep neither mean nor form.
+    if (statistics == "points" &&
+        (distribution == "beta" || distribution == "truncated normal"))
+      throw UserError(path + "/Statistics of",
+                      "is \"points\" with the distribution \"" + distribution +
+                        "\", whose averages are not known",
+                      "cells; points with a normal or lognormal distribution");
   }
 
 
@@ -157,19 +166,6 @@ namespace Waker
       "statistics.",
       Patterns::Anything());
   }
-
-
-  namespace
-  {
-    std::string
-    trimmed(const std::string &text)
-    {
-      const auto begin = text.find_first_not_of(" \t");
-      const auto end   = text.find_last_not_of(" \t");
-      return begin == std::string::npos ? ""
-                                        : text.substr(begin, end - begin + 1);
-    }
-  } // namespace
 
 
   std::vector<double>
@@ -195,24 +191,18 @@ namespace Waker
       return n;
     };
 
-    std::size_t begin = 0;
-    while (begin < correlations.size())
+    for (const std::string &item : split(correlations, ';'))
       {
-        const std::size_t end =
-          std::min(correlations.find(';', begin), correlations.size());
-        const std::string item =
-          trimmed(correlations.substr(begin, end - begin));
-        begin = end + 1;
         if (item.empty())
           continue;
         const std::size_t comma = item.find(','), colon = item.rfind(':');
         if (comma == std::string::npos || colon == std::string::npos ||
             comma > colon)
           refuse("contains \"" + item + "\"");
-        const std::size_t a = number(trimmed(item.substr(0, comma)));
+        const std::size_t a = number(tidy(item.substr(0, comma)));
         const std::size_t b =
-          number(trimmed(item.substr(comma + 1, colon - comma - 1)));
-        const std::string value = trimmed(item.substr(colon + 1));
+          number(tidy(item.substr(comma + 1, colon - comma - 1)));
+        const std::string value = tidy(item.substr(colon + 1));
         char             *rest  = nullptr;
         const double      rho   = std::strtod(value.c_str(), &rest);
         if (value.empty() || *rest != 0 || !(rho >= -1. && rho <= 1.))

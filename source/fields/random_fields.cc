@@ -5,11 +5,17 @@
 #include <waker/fields/random_fields.h>
 
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 
 namespace Waker
 {
   namespace
   {
+    /// With fewer cells per scale of fluctuation the log has a warning.
+    constexpr double fewest_cells = 4.;
+
+
     /// Lower triangular L with L L^T = matrix (n x n, row by row), which may be
     /// singular: fields may be fully correlated.
     std::vector<double>
@@ -57,6 +63,8 @@ namespace Waker
         field.gamma   = correlation.between_cells(lattices[f].cell_size, {});
         field.scale =
           p.statistics == "cells" ? 1. / std::sqrt(field.gamma) : 1.;
+        field.variance = p.statistics == "cells" ? 1. : field.gamma;
+        field.scales   = p.scales;
         field.generator =
           make_field_generator(p.generator, lattices[f], correlation, path);
         total_noise += field.generator->n_noise();
@@ -66,7 +74,8 @@ namespace Waker
             std::vector<MeasuredScore> measured;
             for (const Measurement &m :
                  read_measurements(p.measurements, lattices[f]))
-              measured.push_back({m.cell, score(f, m.position, m.value)});
+              measured.push_back(
+                {m.cell, score(f, m.position, m.value, field.variance)});
             const double variance =
               field.gamma * field.scale * field.scale; // of the cells' scores
             field.conditioning =
@@ -97,10 +106,28 @@ namespace Waker
   {
     std::vector<std::string> lines;
     for (const Field &field : fields)
-      lines.push_back(
-        "Random field \"" + field.name +
-        "\": " + field.generator->description() +
-        (field.conditioning ? ", " + field.conditioning->description() : ""));
+      {
+        const std::string  start = "Random field \"" + field.name + "\": ";
+        std::ostringstream cells, few;
+        for (unsigned int d = 0; d < field.lattice.dim; ++d)
+          {
+            const double n = field.scales[d] / field.lattice.cell_size[d];
+            cells << (d > 0 ? " x " : ", ") << std::setprecision(3) << n;
+            if (n < fewest_cells * (1. - 1e-9))
+              few << (few.tellp() > 0 ? " and " : "") << "xyz"[d];
+          }
+        lines.push_back(
+          start + field.generator->description() + cells.str() +
+          " cells per scale of fluctuation" +
+          (field.conditioning ? ", " + field.conditioning->description() : ""));
+        if (few.tellp() > 0)
+          lines.push_back(start +
+                          "Warning: fewer than 4 cells per scale of "
+                          "fluctuation along " +
+                          few.str() +
+                          ": averages over such cells lose what varies within "
+                          "a scale; smaller cells would keep it");
+      }
     return lines;
   }
 

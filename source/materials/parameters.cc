@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/parameter_handler.h>
 
+#include <waker/base/checks.h>
 #include <waker/base/errors.h>
 #include <waker/materials/factory.h>
 
@@ -65,14 +66,8 @@ namespace Waker
       return Patterns::Tools::to_string(value);
     };
 
-    if (!(unit_weight > 0.))
-      throw UserError(path + "Unit weight",
-                      "is " + number(unit_weight) + " kN/m^3",
-                      "a number above 0");
-    if (!(youngs_modulus > 0.))
-      throw UserError(path + "Young's modulus",
-                      "is " + number(youngs_modulus) + " kPa",
-                      "a number above 0");
+    require_positive(path + "Unit weight", unit_weight, "kN/m^3");
+    require_positive(path + "Young's modulus", youngs_modulus, "kPa");
     if (!(poissons_ratio > -1. && poissons_ratio < 0.5))
       throw UserError(path + "Poisson's ratio",
                       "is " + number(poissons_ratio),
@@ -80,10 +75,7 @@ namespace Waker
     if (model == "linear elastic")
       return;
 
-    if (!(initial_strength > 0.))
-      throw UserError(path + "Initial strength",
-                      "is " + number(initial_strength) + " kPa",
-                      "a number above 0");
+    require_positive(path + "Initial strength", initial_strength, "kPa");
     if (!(residual_strength >= 0. && residual_strength <= initial_strength))
       throw UserError(path + "Residual strength",
                       "is " + number(residual_strength) +

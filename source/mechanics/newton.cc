@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Waker
 {
@@ -91,6 +92,10 @@ namespace Waker
                 }
             }
         }
+    // Not a number is not small: comparisons with it are false, and a residual
+    // of 0 would pass for converged.
+    if (!std::isfinite(sum) || !std::isfinite(terms))
+      return std::numeric_limits<double>::infinity();
     return sum > round_off * round_off * terms ? std::sqrt(sum / reference)
                                                : 0.;
   }

@@ -46,6 +46,7 @@ namespace Waker
   {
     ScenarioEstimate result;
     std::uint64_t    n_initial = 0, n_initial_by_width = 0, n_flooding = 0;
+    std::uint64_t n_initial_then_numerical = 0, n_flooding_then_numerical = 0;
     for (const Record &record : records)
       if (counts(record))
         {
@@ -55,15 +56,22 @@ namespace Waker
           n_flooding += record.flooding_time >= 0.;
         }
       else
-        ++result.n_numerical;
+        {
+          ++result.n_numerical;
+          n_initial_then_numerical += record.initial_time >= 0.;
+          n_flooding_then_numerical += record.flooding_time >= 0.;
+        }
 
     const std::uint64_t all = result.n + result.n_numerical;
     result.by_geometry      = make_estimate(n_initial, n_flooding, result.n);
     result.by_width = make_estimate(n_initial_by_width, n_flooding, result.n);
-    result.if_all_failed  = make_estimate(n_initial + result.n_numerical,
+    result.if_all_failed = make_estimate(n_initial + result.n_numerical,
                                          n_flooding + result.n_numerical,
                                          all);
-    result.if_none_failed = make_estimate(n_initial, n_flooding, all);
+    result.if_none_failed =
+      make_estimate(n_initial + n_initial_then_numerical,
+                    n_flooding + n_flooding_then_numerical,
+                    all);
     return result;
   }
 

@@ -26,6 +26,44 @@ namespace Waker
              name.compare(name.size() - suffix.size(), suffix.size(), suffix) ==
                0;
     }
+
+
+    /// A value of the first line that earlier versions did not write.
+    template <typename T>
+    T
+    value_of(const nlohmann::json &header,
+             const char *const     name,
+             const T              &otherwise)
+    {
+      const auto found = header.find(name);
+      if (found == header.end())
+        return otherwise;
+      try
+        {
+          return found->get<T>();
+        }
+      catch (const nlohmann::json::exception &)
+        {
+          return otherwise; // no reason to lose the records
+        }
+    }
+
+
+    MachineUse
+    use_of(const nlohmann::json &header)
+    {
+      const Machine unknown;
+      MachineUse    use;
+      use.machine    = {value_of(header, "host", unknown.host),
+                        value_of(header, "processor", unknown.processor),
+                        value_of(header, "cores", unknown.n_cores),
+                        value_of(header, "version", unknown.version),
+                        value_of(header, "compiler", unknown.compiler),
+                        value_of(header, "build_flags", unknown.build_flags)};
+      use.start      = value_of(header, "start", std::string("unknown"));
+      use.n_journals = 1;
+      return use;
+    }
   } // namespace
 
 
@@ -67,10 +105,12 @@ namespace Waker
   JournalCounts
   JournalReader::counts() const
   {
-    JournalCounts counts = counted;
+    JournalCounts           counts = counted;
+    std::vector<MachineUse> uses;
     for (const auto &[name, journal] : journals)
       {
         counts.n_journals += journal.is_ours ? 1 : 0;
+        uses.push_back(journal.use);
         if (journal.size > journal.position)
           {
             ++counts.n_truncated;
@@ -79,6 +119,7 @@ namespace Waker
                                      ": the last line has no end; dropped");
           }
       }
+    counts.machines = join(uses);
     return counts;
   }
 
@@ -125,6 +166,7 @@ namespace Waker
         else if (journal.is_ours)
           read_record(name + ":" + std::to_string(journal.n_lines),
                       line,
+                      journal.use,
                       records);
         else
           ++counted.n_foreign;
@@ -139,13 +181,14 @@ namespace Waker
                              const std::string &line,
                              Journal           &journal)
   {
-    std::string  campaign;
-    unsigned int schema = 0;
+    nlohmann::json header;
+    std::string    campaign;
+    unsigned int   schema = 0;
     try
       {
-        const nlohmann::json header = nlohmann::json::parse(line);
-        campaign                    = header.at("campaign").get<std::string>();
-        schema = header.at("schema_version").get<unsigned int>();
+        header   = nlohmann::json::parse(line);
+        campaign = header.at("campaign").get<std::string>();
+        schema   = header.at("schema_version").get<unsigned int>();
       }
     catch (const nlohmann::json::exception &)
       {
@@ -169,6 +212,7 @@ namespace Waker
                       "schema versions up to " +
                         std::to_string(journal_schema_version));
     journal.is_ours = true;
+    journal.use     = use_of(header);
   }
 
 
@@ -176,6 +220,7 @@ namespace Waker
   void
   JournalReader::read_record(const std::string   &place,
                              const std::string   &line,
+                             MachineUse          &use,
                              std::vector<Record> &records)
   {
     Record record;
@@ -197,6 +242,8 @@ namespace Waker
     if (is_new)
       {
         ++counted.n_records;
+        ++use.n_realisations;
+        use.wall_time += record.wall_time;
         records.push_back(std::move(record));
       }
     else if (earlier->second == print)

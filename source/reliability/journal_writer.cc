@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
-#include <waker/base/version.h>
 #include <waker/output/files.h>
 #include <waker/reliability/journal.h>
 
@@ -53,13 +52,22 @@ namespace Waker
           throw_cannot_write(name, errno);
       }
 
-    const nlohmann::ordered_json header = {{"schema_version",
-                                            journal_schema_version},
-                                           {"campaign", campaign_hash},
-                                           {"version", WAKER_VERSION}};
+    const Machine                machine = this_machine();
+    const nlohmann::ordered_json header  = {{"schema_version",
+                                             journal_schema_version},
+                                            {"campaign", campaign_hash},
+                                            {"version", machine.version},
+                                            {"compiler", machine.compiler},
+                                            {"build_flags", machine.build_flags},
+                                            {"host", machine.host},
+                                            {"processor", machine.processor},
+                                            {"cores", machine.n_cores},
+                                            {"start", utc_time()}};
     try
       {
-        write_line(header.dump());
+        // A host may have any name.
+        write_line(header.dump(
+          -1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
       }
     catch (...)
       {

@@ -92,7 +92,11 @@ namespace Waker
     const std::string report = join_path(folder, "report");
     std::filesystem::create_directories(report);
     const auto records = contents.by_scenario();
-    write_report(contents.info, records, parameters.analysis, report);
+    write_report(contents.info,
+                 records,
+                 parameters.analysis,
+                 report,
+                 contents.counts.machines);
 
     log.line("Merged " + std::to_string(contents.records.size()) +
              " realisations from " +

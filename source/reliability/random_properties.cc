@@ -1,17 +1,30 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
 #include <waker/base/expression.h>
+#include <waker/base/random_numbers.h>
 #include <waker/reliability/random_properties.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <sstream>
 
 namespace Waker
 {
   namespace
   {
+    /// "3.5, 2".
+    std::string
+    place_text(const unsigned int dim, const std::array<double, 3> &x)
+    {
+      std::ostringstream text;
+      for (unsigned int d = 0; d < dim; ++d)
+        text << (d > 0 ? ", " : "") << x[d];
+      return text.str();
+    }
+
+
     template <int dim>
     std::array<double, 3>
     coordinates(const Point<dim> &x)
@@ -74,6 +87,16 @@ namespace Waker
     }
 
 
+    /// Standard deviation (kPa) where the mean is `mean`.
+    double
+    spread(const RandomFieldParameters &field, const double mean)
+    {
+      return field.standard_deviation > 0.
+               ? field.standard_deviation
+               : field.coefficient_of_variation * mean;
+    }
+
+
     /// The value that the material itself gives to the property.
     template <int dim>
     double
@@ -104,13 +127,26 @@ namespace Waker
       return;
 
     const MaterialPoints<dim>   &points = the_case.initial_points;
+    std::vector<unsigned int>    numbers; // of the fields' materials
     std::vector<FieldLattice>    lattices;
     std::vector<Expression<dim>> means;
     for (const RandomFieldParameters &field : parameters.fields)
       {
         const std::string  path     = "Random fields/" + field.name;
         const unsigned int material = material_number(the_case, field);
-        const double       own =
+        // The check of the parameters knows names only, and one may be empty.
+        for (std::size_t f = 0; f < numbers.size(); ++f)
+          if (numbers[f] == material &&
+              parameters.fields[f].property == field.property)
+            throw UserError(path + "/Property",
+                            "is \"" + field.property +
+                              "\", of which the material \"" +
+                              the_case.parameters.materials[material].name +
+                              "\" has a field already, \"" +
+                              parameters.fields[f].name + "\"",
+                            "one field per property and material");
+        numbers.push_back(material);
+        const double own =
           default_value(the_case, material, field.property, field);
         char number[40];
         std::snprintf(number, sizeof number, "%.17g", own);
@@ -121,7 +157,8 @@ namespace Waker
         const double largest = field.maximum < 1e299
                                  ? field.maximum
                                  : std::numeric_limits<double>::infinity();
-        Target       target{field.property,
+        Target       target{path,
+                      field.property,
                       Marginal(Marginal::kind(field.distribution),
                                field.minimum,
                                largest),
@@ -133,27 +170,20 @@ namespace Waker
         for (std::size_t q = 0; q < points.n_points(); ++q)
           if (points.material[q] == material)
             {
-              const Point<dim> &x    = points.initial_position[q];
-              const double      mean = means.back().value(x, 0.);
-              const double      deviation =
-                field.standard_deviation > 0.
-                       ? field.standard_deviation
-                       : field.coefficient_of_variation * mean;
-              std::string problem;
+              const Point<dim> &x         = points.initial_position[q];
+              const double      mean      = means.back().value(x, 0.);
+              const double      deviation = spread(field, mean);
+              std::string       problem;
               if (!std::isfinite(mean) || !(mean >= 0.))
                 problem = "is " + std::to_string(mean);
               else if (deviation > 0.)
                 problem = target.marginal.problem(mean, deviation);
               if (!problem.empty())
-                {
-                  std::string place;
-                  for (unsigned int d = 0; d < dim; ++d)
-                    place += (d > 0 ? ", " : "") + std::to_string(x[d]);
-                  throw UserError(path + "/Mean",
-                                  problem + " at (" + place + ")",
-                                  "a mean that fits distribution and limits, "
-                                  "0 or more (kPa)");
-                }
+                throw UserError(path + "/Mean",
+                                problem + " at (" +
+                                  place_text(dim, coordinates(x)) + ")",
+                                "a mean that fits distribution and limits, "
+                                "0 or more (kPa)");
               target.points.push_back(q);
               target.cells.push_back(lattices.back().cell_of(coordinates(x)));
               target.mean.push_back(mean);
@@ -175,16 +205,40 @@ namespace Waker
 
     const auto score = [&](const unsigned int           f,
                            const std::array<double, 3> &place,
-                           const double                 value) {
-      const RandomFieldParameters &field = parameters.fields[f];
+                           const double                 value,
+                           const double                 variance) {
+      const RandomFieldParameters &field  = parameters.fields[f];
+      const Target                &target = targets[f];
       Point<dim>                   x;
       for (unsigned int d = 0; d < dim; ++d)
         x[d] = place[d];
       const double mean      = means[f].value(x, 0.);
-      const double deviation = field.standard_deviation > 0.
-                                 ? field.standard_deviation
-                                 : field.coefficient_of_variation * mean;
-      return targets[f].marginal.normal_score(value, mean, deviation);
+      const double deviation = spread(field, mean);
+
+      std::ostringstream what;
+      what << "has the value " << value << " at (" << place_text(dim, place)
+           << ")";
+      const std::string where = target.path + "/Measurements";
+      const std::size_t cell  = lattices[f].cell_of(place);
+      if (std::find(target.cells.begin(), target.cells.end(), cell) ==
+          target.cells.end())
+        throw UserError(where,
+                        what.str() + ", where the field has no points",
+                        "measurements in soil of the field's material");
+      std::string allowed;
+      if (!std::isfinite(mean) || !(mean >= 0.) ||
+          !target.marginal.problem(mean, deviation).empty())
+        allowed = "none: there is no such distribution there";
+      else
+        allowed = target.marginal.value_problem(value, mean, deviation);
+      if (!allowed.empty())
+        throw UserError(where,
+                        what.str(),
+                        "a value that the distribution can take at that place, "
+                        "with mean " +
+                          std::to_string(mean) + " and standard deviation " +
+                          std::to_string(deviation) + ": " + allowed);
+      return target.marginal.normal_score(value, mean, deviation, variance);
     };
     fields = std::make_unique<RandomFields>(parameters, lattices, score);
   }
@@ -199,15 +253,24 @@ namespace Waker
     fields->generate(noise, scores);
     for (std::size_t f = 0; f < targets.size(); ++f)
       {
-        const Target        &target = targets[f];
-        std::vector<double> &values = state.points.scalar(target.property);
+        const Target        &target   = targets[f];
+        std::vector<double> &values   = state.points.scalar(target.property);
+        const double         variance = fields->score_variance(f);
         for (std::size_t i = 0; i < target.points.size(); ++i)
-          values[target.points[i]] =
-            target.standard_deviation[i] > 0.
-              ? target.marginal.value(scores[f][target.cells[i]],
-                                      target.mean[i],
-                                      target.standard_deviation[i])
-              : target.mean[i];
+          {
+            const std::size_t q = target.points[i];
+            values[q]           = target.standard_deviation[i] > 0.
+                                    ? target.marginal.value(scores[f][target.cells[i]],
+                                                  target.mean[i],
+                                                  target.standard_deviation[i],
+                                                  variance)
+                                    : target.mean[i];
+            if (!std::isfinite(values[q]))
+              throw NumericalFailure(
+                target.path + ": the " + target.property + " at (" +
+                place_text(dim, coordinates(state.points.initial_position[q])) +
+                ") is not finite");
+          }
         if (target.residual_ratio >= 0.)
           {
             std::vector<double> &residual =
@@ -246,6 +309,17 @@ namespace Waker
   {
     return fields == nullptr ? std::vector<std::string>()
                              : fields->description();
+  }
+
+
+  std::vector<double>
+  realisation_noise(const std::uint64_t seed,
+                    const std::uint64_t realisation,
+                    const std::size_t   n)
+  {
+    std::vector<double> noise(n);
+    white_noise({seed, realisation, 0}, 0, n, noise.data());
+    return noise;
   }
 
 

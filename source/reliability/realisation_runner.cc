@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
-#include <waker/base/random_numbers.h>
 #include <waker/reliability/realisation_runner.h>
 
 #include <chrono>
@@ -10,8 +9,6 @@ namespace Waker
 {
   namespace
   {
-    /// Soil has moved when it is further from its place than this (m).
-    constexpr double moved_distance = 0.5;
     /// The first slide is looked at so long after S1 (s).
     constexpr double first_look = 1.;
     /// Change of W or H that goes into the trace (m).
@@ -63,32 +60,6 @@ namespace Waker
 
 
   template <int dim>
-  MovedSoil
-  moved_soil(const MaterialPoints<dim> &points, const bool positive)
-  {
-    MovedSoil    moved;
-    const double sign = positive ? 1. : -1.;
-    for (std::size_t q = 0; q < points.n_points(); ++q)
-      {
-        const Tensor<1, dim> u =
-          points.position[q] - points.initial_position[q];
-        if (sign * u[0] > moved_distance)
-          {
-            moved.area += points.volume[q];
-            moved.dx += points.volume[q] * u[0];
-            moved.dy += points.volume[q] * u[1];
-          }
-      }
-    if (moved.area > 0.)
-      {
-        moved.dx /= moved.area;
-        moved.dy /= moved.area;
-      }
-    return moved;
-  }
-
-
-  template <int dim>
   RealisationRunner<dim>::RealisationRunner(
     const Parameters             &p,
     const RandomFieldsParameters &fields,
@@ -98,7 +69,6 @@ namespace Waker
     , attempts(attempts)
     , communicator(communicator)
     , random_properties(case_of_attempt(0), fields)
-    , noise_buffer(random_properties.n_noise())
   {}
 
 
@@ -238,13 +208,11 @@ namespace Waker
                               const std::uint64_t               realisation,
                               const volatile std::sig_atomic_t *interrupt)
   {
-    const Clock::time_point start = Clock::now();
-    white_noise({seed, realisation, 0},
-                0,
-                noise_buffer.size(),
-                noise_buffer.data());
+    const Clock::time_point   start = Clock::now();
+    const std::vector<double> noise =
+      realisation_noise(seed, realisation, n_noise());
     const double          noise_time = seconds_since(start);
-    std::optional<Record> record     = run(noise_buffer.data(), interrupt);
+    std::optional<Record> record     = run(noise.data(), interrupt);
     if (record)
       {
         record->realisation = realisation;
@@ -255,10 +223,6 @@ namespace Waker
   }
 
 
-  template MovedSoil
-  moved_soil(const MaterialPoints<2> &, const bool);
-  template MovedSoil
-  moved_soil(const MaterialPoints<3> &, const bool);
   template class RealisationRunner<2>;
   template class RealisationRunner<3>;
 } // namespace Waker

@@ -49,7 +49,11 @@ namespace Waker
       }
     catch (const UserError &error)
       {
-        throw UserError("Risk/Level table", error.problem, error.allowed);
+        throw UserError("Risk/Level table",
+                        "'" + parameters.level_table + "' " + error.problem,
+                        error.allowed +
+                          "; a relative path begins in the folder in which "
+                          "waker is started");
       }
     return LevelDistribution::parse_table(text, parameters.level_table);
   }
@@ -59,7 +63,8 @@ namespace Waker
   write_report(const CampaignInfo                     &info,
                const std::vector<std::vector<Record>> &records_by_scenario,
                const AnalysisParameters               &parameters,
-               const std::string                      &directory)
+               const std::string                      &directory,
+               const std::vector<MachineUse>          &machines)
   {
     const auto distribution = read_level_distribution(parameters.risk);
     const auto scenarios    = analyse(info, records_by_scenario, parameters);
@@ -81,8 +86,9 @@ namespace Waker
     write("fragility.csv", fragility(points));
     write("fragility_curve.csv", fragility_curve(points));
     write("fragility_beta.csv", fragility_beta(points));
-    write("report.json",
-          report_json(info, scenarios, points, parameters, distribution));
+    write(
+      "report.json",
+      report_json(info, scenarios, points, parameters, distribution, machines));
   }
 
 

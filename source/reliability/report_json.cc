@@ -96,17 +96,20 @@ namespace Waker
 
     /// Yearly probabilities; null if they cannot be had.
     Json
-    yearly_json(const std::vector<FragilityPoint>      &points,
+    yearly_json(const std::string                      &swept_parameter,
+                const std::vector<FragilityPoint>      &points,
                 const std::optional<LevelDistribution> &distribution,
                 const RiskParameters                   &parameters,
                 std::vector<std::string>               &notes)
     {
       if (!distribution)
         return nullptr;
-      if (points.empty())
+      // One level says nothing about the others.
+      if (swept_parameter != "Water/Level" || points.size() < 2)
         {
-          notes.push_back("No yearly probability: the scenarios are not "
-                          "different water levels.");
+          notes.push_back("No yearly probability, budget or risk: this takes "
+                          "a sweep of Water/Level with realisations at two "
+                          "levels or more.");
           return nullptr;
         }
       const double lowest  = points.front().water_level;
@@ -158,7 +161,8 @@ namespace Waker
               const std::vector<AnalysedScenario>    &scenarios,
               const std::vector<FragilityPoint>      &points,
               const AnalysisParameters               &parameters,
-              const std::optional<LevelDistribution> &distribution)
+              const std::optional<LevelDistribution> &distribution,
+              const std::vector<MachineUse>          &machines)
   {
     std::vector<std::string> notes;
     Json                     json;
@@ -168,6 +172,7 @@ namespace Waker
     json["seed"]             = info.seed;
     json["realisations"]     = info.realisations;
     json["swept_parameter"]  = info.swept_parameter;
+    json["machines"]         = Json::parse(to_json(machines));
     json["confidence_level"] = confidence_level;
     json["scenarios"]        = Json::array();
     for (const AnalysedScenario &scenario : scenarios)
@@ -182,7 +187,8 @@ namespace Waker
           }
         json["scenarios"].push_back(entry);
       }
-    json["yearly"] = yearly_json(points, distribution, parameters.risk, notes);
+    json["yearly"] = yearly_json(
+      info.swept_parameter, points, distribution, parameters.risk, notes);
     json["point_statistics"] = point_statistics_json(parameters.risk);
     json["notes"]            = notes;
     return json.dump(2) + '\n';

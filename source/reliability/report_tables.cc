@@ -28,6 +28,15 @@ namespace Waker
     }
 
 
+    /// n, n_S1, n_F and the probabilities.
+    void
+    add_estimate(CsvTable &table, const Estimate &e)
+    {
+      table.cell(e.initial.n).cell(e.initial.count).cell(e.flooding.count);
+      table.cells(e);
+    }
+
+
     void
     add_rows(CsvTable                        &table,
              const ReportTables::Scenarios   &scenarios,
@@ -107,13 +116,12 @@ namespace Waker
     std::string
     probability_time(const Scenarios &scenarios)
     {
-      CsvTable table("scenario,value,time" + titles_of_estimate());
+      CsvTable table("scenario,value,time,n,n_S1,n_F" + titles_of_estimate());
       for (std::size_t s = 0; s < scenarios.size(); ++s)
         for (const EstimateRow &row :
              estimate_against_time(*scenarios[s].records))
-          scenario_row(table, scenarios, s)
-            .cell(row.position)
-            .cells(row.estimate);
+          add_estimate(scenario_row(table, scenarios, s).cell(row.position),
+                       row.estimate);
       return table.finish();
     }
 
@@ -121,13 +129,11 @@ namespace Waker
     std::string
     convergence(const Scenarios &scenarios)
     {
-      CsvTable table("scenario,value,n" + titles_of_estimate());
+      CsvTable table("scenario,value,n,n_S1,n_F" + titles_of_estimate());
       for (std::size_t s = 0; s < scenarios.size(); ++s)
         for (const EstimateRow &row :
              estimate_convergence(*scenarios[s].records))
-          scenario_row(table, scenarios, s)
-            .cell(row.position)
-            .cells(row.estimate);
+          add_estimate(scenario_row(table, scenarios, s), row.estimate);
       return table.finish();
     }
 

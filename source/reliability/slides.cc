@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/parameter_handler.h>
 
-#include <waker/base/errors.h>
+#include <waker/base/checks.h>
 #include <waker/reliability/slides.h>
 
 #include <algorithm>
@@ -140,15 +140,9 @@ namespace Waker
   void
   SlideParameters::check() const
   {
-    const auto require_positive = [](const char *name, const double value) {
-      if (!(value > 0.))
-        throw UserError(std::string("Slides/") + name,
-                        "is " + dealii::Patterns::Tools::to_string(value),
-                        "a number above 0");
-    };
-    require_positive("Rate", rate);
-    require_positive("Duration", duration);
-    require_positive("Minimum change", minimum_change);
+    require_positive("Slides/Rate", rate);
+    require_positive("Slides/Duration", duration);
+    require_positive("Slides/Minimum change", minimum_change);
   }
 
 

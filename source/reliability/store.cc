@@ -235,6 +235,7 @@ namespace Waker
                              {"slide_rate", slides.rate},
                              {"slide_duration", slides.duration},
                              {"slide_minimum_change", slides.minimum_change},
+                             {"machines", to_json(counts.machines)},
                              {"n_truncated_lines", counts.n_truncated},
                              {"n_damaged_lines", counts.n_damaged},
                              {"n_foreign_lines", counts.n_foreign},

@@ -31,8 +31,8 @@ class Campaign:
 
     def __init__(self, waker, source, folder, n, **more):
         self.waker = os.path.abspath(waker)
-        self.file = os.path.join(source, "parameters", "chapter5",
-                                 "analysis1.prm")
+        self.file = os.path.join(os.path.abspath(source), "parameters",
+                                 "chapter5", "analysis1.prm")
         self.folder = folder
         self.settings = {**COARSE, "Campaign/Realisations": n,
                          "Output/Directory": folder, **more.pop("set", {})}

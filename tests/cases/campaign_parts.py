@@ -37,10 +37,11 @@ def main():
         check(len(set(outcomes)) > 1, "more than one outcome",
               {name: outcomes.count(name) for name in sorted(set(outcomes))})
 
-        ranks = campaign("ranks")
-        ranks.run(ranks=4)
-        check.once_each("4 ranks", ranks, n)
-        check.same("4 ranks", reference, ranks.merged())
+        for number in (2, 4):
+            ranks = campaign(f"ranks-{number}")
+            ranks.run(ranks=number)
+            check.once_each(f"{number} ranks", ranks, n)
+            check.same(f"{number} ranks", reference, ranks.merged())
 
         # Two of three at a time, the first one last.
         chunks = campaign("chunks")

@@ -65,6 +65,75 @@ class SmallDisk:
         return path
 
 
+def reproduces(campaign, record, check):
+    """`waker run --realisation` does what the campaign did, a second attempt
+    with half the time step included, beside the campaign's folder."""
+    words = [campaign.waker, "run", campaign.file,
+             "--realisation", str(record["realisation"])]
+    for name, value in campaign.settings.items():
+        if name != "Output/Directory":
+            words += ["--set", f"{name}={value}"]
+    with tempfile.TemporaryDirectory(prefix="waker-") as place:
+        done = subprocess.run(words, env=campaign.environment, cwd=place,
+                              text=True, capture_output=True, check=False)
+        folder = os.path.join(
+            place, f"output-analysis1-realisation-{record['realisation']}")
+        check(done.returncode == 0 and os.path.isdir(folder),
+              "a repeated realisation runs by itself", done.stderr)
+        with open(os.path.join(folder, "summary.json"),
+                  encoding="utf-8") as file:
+            summary = json.load(file)
+    check(summary["outcome"] == record["outcome"]
+          and summary["residual_width"] == record["residual_width"],
+          "and ends as in the campaign", f"{summary['outcome']}, "
+          f"W = {summary['residual_width']} and {record['residual_width']} m")
+
+
+def folders_are_safe(whole, check):
+    """A run does not replace a campaign, nor a new campaign a user's files."""
+    words = [whole.waker, "run", whole.file, "--realisation", "0",
+             "--overwrite", "--set", f"Output/Directory={whole.folder}"]
+    before = contents(whole.folder)
+    check.refused("a run in the folder of a campaign", subprocess.Popen(
+        words, text=True, env=whole.environment, stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE), whole.folder)
+    check(contents(whole.folder) == before, "and nothing changed")
+    check.refused("fewer realisations than are there", whole.start(
+        "--resume", set={"Campaign/Realisations": N - 1}), str(N))
+
+    mine = ["logbook.txt", "journal-of-mine.jsonl", "report/notes.csv"]
+    for name in mine:
+        with open(os.path.join(whole.folder, name), "w",
+                  encoding="utf-8") as file:
+            file.write("mine")
+    whole.run("--overwrite", set={"Campaign/Seed": 2})
+    check(all(os.path.exists(os.path.join(whole.folder, name))
+              for name in mine), "--overwrite leaves the user's files")
+    whole.settings["Campaign/Seed"] = 2
+    check.once_each("--overwrite", whole, N)
+
+
+def a_rank_fails(make, check):
+    """One of two ranks cannot write: the other one must not wait for ever."""
+    def limit():
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (3000, 3000))
+
+    campaign = make("ranks")
+    campaign.run("--realisations", "0:2")
+    process = campaign.start("--resume", ranks=2, process={
+        "preexec_fn": limit, "restore_signals": False})
+    try:
+        error = process.communicate(timeout=60)[1]
+        check(process.returncode == 2 and "cannot be written" in error,
+              "a rank of two fails: all end", f"exit code {process.returncode}")
+    except subprocess.TimeoutExpired:
+        os.killpg(process.pid, signal.SIGKILL)
+        check(False, "a rank of two fails: all end", "it hangs")
+    campaign.run("--resume", ranks=2)
+    check.once_each("a rank of two fails, then resumed", campaign, N)
+
+
 def numerical_failures(make, check):
     """Few iterations, no halving: some succeed with a smaller step at the
     second or third attempt, those that yield most do not."""
@@ -100,6 +169,10 @@ def numerical_failures(make, check):
         merged["report/probabilities.csv"])))
     check(int(table[0]["n_numerical_failure"]) == len(failed),
           "probabilities.csv counts them")
+    repeated = next((record for record in others if record["attempts"] == 2),
+                    None)
+    if repeated:
+        reproduces(campaign, repeated, check)
 
 
 def full_disk(make, disk, reference, check):
@@ -232,6 +305,14 @@ def wrong_input(make, folder, check):
             ("wrong scale", (), {
                 "Random fields/strength/Scales of fluctuation": "24, 0"},
              "0"),
+            ("set and swept", (), {
+                "Sweep/Parameter": "Water/Level", "Sweep/Values": "4.5; 4",
+                "Water/Level": "4"}, "swept"),
+            ("sweep of the analysis", (), {
+                "Sweep/Parameter": "Slides/Rate", "Sweep/Values": "1; 2"},
+             "no difference"),
+            ("snapshot that is not computed", (), {
+                "Snapshots/Realisations": str(N)}, str(N)),
             ("below a file", (), {"Output/Directory": __file__ + "/x"},
              os.path.basename(__file__))]:
         check.refused(what, campaign.start(*flags, set=settings), problem)
@@ -264,6 +345,8 @@ def main():
         unwritable(make, disk, folder, reference, check)
         damaged_journals(whole, folder, reference, check)
         other_campaign(whole, folder, check)
+        a_rank_fails(make, check)
+        folders_are_safe(whole, check)
     check.exit()
 
 

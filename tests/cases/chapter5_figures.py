@@ -92,7 +92,7 @@ def run(source, script, *words):
 
 def check_probabilities(checks, folder):
     rows, comments = read(folder, "figure_5_06")
-    checks.equal("5.6: numerical failures are said", "1 more" in comments[1],
+    checks.equal("5.6: numerical failures are said", "1 more" in comments[-1],
                  True)
     for event, time, expected in (("S1", "1.9", 0.0), ("S1", "2", 0.1),
                                   ("S1", "3", 0.3), ("S1", "5", 0.5),
@@ -100,6 +100,9 @@ def check_probabilities(checks, folder):
         row = only(rows, event=event, kind="before", time_s=time)
         checks.equal(f"5.6: P({event}) before {time} s",
                      number(row, "probability"), expected)
+    checks.equal("5.6: COV of the points beside it", number(only(
+        rows, event="S1, points", kind="before", time_s="10"),
+        "probability"), 0.25)
     # Clopper & Pearson 1934: tables for 5 of 10 and 2 of 10
     row = only(rows, event="S1", kind="before", time_s="10")
     checks.between("5.6: 5 of 10, low", number(row, "low"), 0.1870, 0.1872)
@@ -185,7 +188,7 @@ def check_realisations(checks, folder):
 
 
 def check_export(checks, source, folder):
-    path = os.path.join(folder, "outcomes.csv")
+    path = os.path.join(folder, "new", "folder", "outcomes.csv")
     run(source, "export_outcomes.py", os.path.join(folder, "analysis1"), path)
     with open(path, encoding="utf-8") as file:
         lines = file.read().splitlines()
@@ -193,6 +196,7 @@ def check_export(checks, source, folder):
                  "0123456789abcdef" in lines[0], True)
     checks.equal("export: a flood", "0,9,2,2,5,0,4.74,3" in lines, True)
     checks.equal("export: a stable one", "0,0,0,,,11,5,0" in lines, True)
+    check_export_again(checks, source, folder, path)
     many = os.path.join(folder, "many")
     write_store(many, [
         {"value": "a", "realisations": {i: dyke(STABLE) for i in range(60000)}},
@@ -211,14 +215,48 @@ def check_export(checks, source, folder):
     checks.equal("export: no line lost", n, 60001)
 
 
+def check_export_again(checks, source, folder, path):
+    """What is there of the same hash is compared, and only extended."""
+    def export(name, realisations):
+        write_store(os.path.join(folder, name),
+                    [{"hash": "b", "realisations": realisations}])
+        return subprocess.run(
+            [sys.executable, os.path.join(
+                source, "contrib", "plots", "export_outcomes.py"),
+             os.path.join(folder, name), path],
+            capture_output=True, text=True, check=False)
+
+    def n_lines():
+        with open(path, encoding="utf-8") as file:
+            return sum(line[0].isdigit() for line in file)
+
+    done = export("longer", {**BASE, 10: dyke(STABLE)})
+    checks.equal("export: a longer one extends it",
+                 ("0 of 11 outcomes differ" in done.stdout, n_lines()),
+                 (True, 12))
+    done = export("shorter", {**BASE, 9: dyke(STABLE), 0: dyke(STABLE)})
+    checks.equal("export: a shorter one is refused",
+                 (done.returncode, "has 12 realisations" in done.stderr,
+                  n_lines()), (1, True, 12))
+    checks.equal("export: differences are counted",
+                 "1 of 11 outcomes differ" in done.stderr, True)
+
+
 def check_table(checks, source, folder, analyses):
     page = os.path.join(folder, "page.md")
     with open(page, "w", encoding="utf-8") as file:
         file.write("before\n<!-- begin comparison -->\nold\n"
                    "<!-- end comparison -->\nbetween\n"
                    "<!-- begin campaigns -->\n<!-- end campaigns -->\nafter\n")
-    run(source, "chapter5_table.py", *analyses, "--page", page)
-    run(source, "chapter5_table.py", *analyses, "--page", page)  # as often
+    points = os.path.join(folder, "points")
+    write_store(points, [{"hash": "c", "realisations": ONE_OF_FOUR}], machines=[
+        {"host": "node7", "processor": "P 1", "cores": 8, "version": "0.0.0",
+         "compiler": "c++", "build_flags": "Fast", "journals": 1,
+         "start": "2025-01-31T12:00:00Z", "realisations": 4,
+         "wall_time": 7200.0}])
+    words = [*analyses, "--analysis1-points", points, "--page", page]
+    run(source, "chapter5_table.py", *words)
+    run(source, "chapter5_table.py", *words)  # as often as one likes
     with open(page, encoding="utf-8") as file:
         text = file.read()
     for words, expected in (
@@ -227,7 +265,15 @@ def check_table(checks, source, folder, analyses):
             ("P(F|S1)", "0.75 | 0.400 | 0.053 to 0.853 | 2 of 5 |"),
             ("largest drop", "0.300 at 24 m"),
             ("mean height at 48 m", "0.20 m | 0.250 m"),
-            ("per core-hour", "| 2.000 | 1800 |")):
+            ("per core-hour", "| 2.000 | 1800 |"),
+            ("points", "P(S₁), COV of the points | 5.4.1, fig. 5.6 | "
+                       "about 0.12 | 0.250 | 0.006 to 0.806 | 1 of 4 |"),
+            ("P(F), points", "P(F), COV of the points"),
+            ("P(F|S1), points", "| 0.000 | 0.000 to 0.975 | 0 of 1 |"),
+            ("machine", "| 1, points | node7: P 1 | 8 | c++, Fast | "
+                        "2025-01-31T12:00:00Z | 4 | 2.00 |"),
+            ("no machine", "| 1 | unknown: unknown | unknown | unknown, "
+                           "unknown | unknown | 11 | 0.01 |")):
         checks.equal(f"table: {words}", expected in text, True)
     checks.equal("table: replaced", "\nold\n" in text, False)
 
@@ -253,7 +299,10 @@ def main():
         analyses = [word for n in (1, 2, 3)
                     for word in (f"--analysis{n}", path(f"analysis{n}"))]
 
-        done = run(source, "chapter5.py", *analyses, "--output", path("out"),
+        write_store(path("base_points"),
+                    [{"hash": "c", "realisations": ONE_OF_FOUR}])
+        done = run(source, "chapter5.py", *analyses, "--analysis1-points",
+                   path("base_points"), "--output", path("out"),
                    "--waker", os.path.join(os.path.dirname(
                        os.path.abspath(__file__)), "fake_waker.py"))
         checks.equal("nothing to complain about", done.stderr, "")

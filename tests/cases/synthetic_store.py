@@ -2,6 +2,7 @@
 """Writes a store (results.h5) from given realisations, in the format of `waker
 merge`, for tests of what reads it."""
 
+import json
 import os
 
 import h5py
@@ -22,10 +23,11 @@ NUMBERS = {name: unit for unit, names in {
 
 
 def write_store(folder, scenarios, seed=1, parameters="", swept="",
-                parameters_hash="0123456789abcdef"):
+                parameters_hash="0123456789abcdef", machines=None):
     """@param scenarios dictionaries: value, hash, water_level, scale_x, and
     realisations: {number: {quantity: value}}. What a realisation does not give
-    is NaN or -1; crest_level is 5 m, scale_y 0.5 m."""
+    is NaN or -1; crest_level is 5 m, scale_y 0.5 m. A store of an earlier version
+    has no machines."""
     os.makedirs(folder, exist_ok=True)
     with open(os.path.join(folder, "parameters.prm"), "w",
               encoding="utf-8") as file:
@@ -41,6 +43,8 @@ def write_store(folder, scenarios, seed=1, parameters="", swept="",
             "swept_parameter": swept, "realisations_planned": len(numbers),
             "n_truncated_lines": 0, "n_foreign_lines": 0, "n_surplus": 0,
             "Conventions": "CF-1.8"})
+        if machines is not None:
+            file.attrs["machines"] = json.dumps(machines)
         file["scenario"] = np.arange(shape[0], dtype=np.int32)
         file["realisation"] = np.array(numbers, dtype=np.int64)
         for name, default in (("water_level", 4.75), ("crest_level", 5.0),

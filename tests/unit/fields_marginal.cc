@@ -139,6 +139,69 @@ namespace
   }
 
 
+  TEST(Marginal, averages_keep_the_mean)
+  {
+    // z = sqrt(v) u with a standard normal u; sd of the lognormal averages:
+    // mean sqrt(exp(v s^2) - 1).
+    const double variance = 0.4, root = std::sqrt(variance);
+    for (const Kind kind : {Kind::normal, Kind::lognormal})
+      {
+        const Marginal marginal(kind, -infinity);
+        const double   dz = 1e-3, scale = 1. / std::sqrt(2. * std::acos(-1.));
+        double         mean = 0., square = 0.;
+        for (int i = -9000; i <= 9000; ++i)
+          {
+            const double u = i * dz, w = dz * scale * std::exp(-0.5 * u * u);
+            const double x = marginal.value(root * u, 13., 8., variance);
+            mean += w * x;
+            square += w * x * x;
+            if (std::abs(u) < 5.)
+              {
+                ASSERT_NEAR(marginal.normal_score(x, 13., 8., variance),
+                            root * u,
+                            1e-9);
+              }
+          }
+        EXPECT_NEAR(mean, 13., 1e-8);
+        const double s2 = std::log1p(64. / 169.);
+        const double sd = kind == Kind::normal
+                            ? 8. * root
+                            : 13. * std::sqrt(std::expm1(variance * s2));
+        EXPECT_NEAR(std::sqrt(square - mean * mean), sd, 1e-7);
+      }
+  }
+
+
+  TEST(Marginal, values_without_a_score_are_named)
+  {
+    const Marginal normal(Kind::normal, 5., 20.);
+    for (const double value : {5., 13., 20.})
+      EXPECT_EQ(normal.value_problem(value, 13., 2.6), "");
+    EXPECT_EQ(normal.value_problem(4.9, 13., 2.6), "at least 5, at most 20");
+    EXPECT_NE(normal.value_problem(20.1, 13., 2.6), "");
+    EXPECT_NE(normal.value_problem(13., 13., 0.), "");
+    EXPECT_NE(normal.value_problem(std::nan(""), 13., 2.6), "");
+    EXPECT_EQ(Marginal(Kind::normal, -infinity).value_problem(-9., 1., 1.), "");
+    EXPECT_NE(Marginal(Kind::normal).value_problem(infinity, 13., 2.6), "");
+
+    const Marginal lognormal(Kind::lognormal, -infinity);
+    EXPECT_EQ(lognormal.value_problem(0.1, 13., 2.6), "");
+    EXPECT_EQ(lognormal.value_problem(0., 13., 2.6), "above 0");
+
+    for (const Kind kind : {Kind::truncated_normal, Kind::beta})
+      {
+        const Marginal between(kind, 5., 20.);
+        EXPECT_EQ(between.value_problem(5.5, 13., 2.6), "");
+        for (const double value : {4., 5., 20., 21.})
+          EXPECT_EQ(between.value_problem(value, 13., 2.6),
+                    "above 5, below 20");
+      }
+    // No number for its probability.
+    const Marginal far(Kind::truncated_normal, -infinity);
+    EXPECT_EQ(far.value_problem(-200., 13., 2.6), "nearer to the mean, 13");
+  }
+
+
   TEST(Marginal, values_rise_within_the_limits)
   {
     for (const Kind kind :

@@ -273,3 +273,40 @@ TEST(Mechanics, newton_sees_convergence_without_load)
   for (const auto &stress : points.stress)
     EXPECT_NEAR(stress[0][0], M * 0.01 / 1.5, 1e-6);
 }
+
+
+TEST(Mechanics, newton_never_takes_what_is_not_a_number_for_converged)
+{
+  const auto grid   = Lattice::grid<2>(2., h);
+  auto       points = Lattice::box(Point<2>(0.5, 0.5), 4, 0.5 * h, density);
+  Materials  materials;
+  materials.push_back(std::make_unique<LinearElastic>(density, 1000., 0.3));
+  declare_material_variables(materials, points);
+  const Fixities<2> fixities(grid, {});
+  Weights<2>        weights(grid, ShapeFunctions::gimp);
+  weights.reinit(points);
+  NewtonParameters parameters;
+  NewtonSolver<2>  newton(weights, fixities, parameters, density * h * h, {});
+
+  // The last one's square overflows.
+  for (const double bad : {std::nan(""), HUGE_VAL, 1e200, 0.})
+    {
+      NodalState nodes(grid);
+      to_nodes(points, weights, nodes);
+      NodalVector                       history = nodes.velocity;
+      typename NewtonSolver<2>::Inertia inertia;
+      inertia.factor  = 1e4;
+      inertia.history = &history;
+      for (unsigned int i = 0; i < nodes.mass.size(); ++i)
+        if (nodes.mass[i] > 0.1 * density * h * h)
+          {
+            nodes.external_force.begin()[2 * i] = bad;
+            break;
+          }
+      StressUpdate<2>    update(materials, false);
+      const NewtonReport report =
+        newton.solve(points, inertia, {}, update, nodes);
+      EXPECT_EQ(report.converged, bad == 0.) << bad;
+      EXPECT_EQ(report.residuals.back(), bad == 0. ? 0. : HUGE_VAL) << bad;
+    }
+}

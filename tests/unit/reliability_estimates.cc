@@ -74,7 +74,8 @@ TEST(Estimates, numerical_failures_are_counted_and_excluded)
   EXPECT_DOUBLE_EQ(e.by_width.flooding_given.estimate, 1.);
   EXPECT_DOUBLE_EQ(e.if_all_failed.initial.estimate, 0.4);
   EXPECT_DOUBLE_EQ(e.if_all_failed.flooding.estimate, 0.3);
-  EXPECT_DOUBLE_EQ(e.if_none_failed.initial.estimate, 0.2);
+  // The seventh had slid before it failed numerically: in both bounds.
+  EXPECT_DOUBLE_EQ(e.if_none_failed.initial.estimate, 0.3);
   EXPECT_DOUBLE_EQ(e.if_none_failed.flooding.estimate, 0.1);
 
   EXPECT_TRUE(std::isnan(estimate({}).by_geometry.initial.estimate));

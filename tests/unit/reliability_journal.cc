@@ -6,6 +6,7 @@
 #include "reliability_records.h"
 #include <csignal>
 #include <gtest/gtest.h>
+#include <map>
 #include <set>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -332,6 +333,58 @@ namespace Waker
         for (std::size_t i = 0; i < contents.records.size(); ++i)
           EXPECT_EQ(to_json(contents.records[i]) + "\n", line(i));
       }
+  }
+
+
+  TEST(Reliability, journals_say_which_machine_computed)
+  {
+    const TemporaryFolder folder;
+    {
+      JournalWriter first(folder.path, hash), second(folder.path, hash);
+      for (const std::uint64_t i : {0, 1, 2})
+        first.append(synthetic_record(0, i));
+      second.append(synthetic_record(0, 3));
+      second.append(synthetic_record(0, 3)); // not counted twice
+    }
+    JournalContents contents = read_journals(folder.path, hash);
+    ASSERT_EQ(contents.counts.machines.size(), 1u);
+    const MachineUse here      = contents.counts.machines[0];
+    char             host[256] = "";
+    ::gethostname(host, sizeof host - 1);
+    EXPECT_EQ(here.machine.host, host);
+    EXPECT_GE(here.machine.n_cores, 1u);
+    EXPECT_NE(here.machine.compiler, "unknown");
+    EXPECT_NE(here.machine.build_flags, "unknown");
+    ASSERT_EQ(here.start.size(), 20u) << here.start;
+    EXPECT_EQ(here.start.substr(0, 2) + here.start.substr(19), "20Z");
+    EXPECT_EQ(here.n_journals, 2u);
+    EXPECT_EQ(here.n_realisations, 4u);
+    EXPECT_NEAR(here.wall_time, 4 * 0.25, 1e-12);
+
+    // A journal of an earlier version, and one with values of another kind.
+    put(journal(folder, 2),
+        R"({"schema_version":1,"campaign":"0123abcd","version":"0.1.0"})"
+        "\n" +
+          line(4));
+    put(journal(folder, 3),
+        R"({"schema_version":1,"campaign":"0123abcd","version":"0.1.0",)"
+        R"("host":"aa","cores":"many","later":{}})"
+        "\n" +
+          line(5) + line(6));
+    contents = read_journals(folder.path, hash);
+    EXPECT_EQ(contents.records.size(), 7u);
+    EXPECT_TRUE(contents.counts.remarks.empty());
+    std::map<std::string, MachineUse> uses;
+    for (const MachineUse &use : contents.counts.machines)
+      uses[use.machine.host] = use;
+    ASSERT_EQ(uses.size(), 3u);
+    EXPECT_EQ(uses["unknown"].n_realisations, 1u);
+    EXPECT_EQ(uses["unknown"].machine.processor, "unknown");
+    EXPECT_EQ(uses["unknown"].machine.version, "0.1.0");
+    EXPECT_EQ(uses["unknown"].machine.n_cores, 0u);
+    EXPECT_EQ(uses["unknown"].start, "unknown");
+    EXPECT_EQ(uses["aa"].n_realisations, 2u);
+    EXPECT_EQ(uses["aa"].machine.n_cores, 0u);
   }
 
 

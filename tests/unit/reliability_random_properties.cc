@@ -1,61 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
 #include <waker/base/random_numbers.h>
-#include <waker/program/parameter_reader.h>
-#include <waker/reliability/input.h>
 #include <waker/reliability/realisation_runner.h>
 
+#include "reliability_random_dyke.h"
 #include <cmath>
 #include <gtest/gtest.h>
-#include <memory>
 #include <string>
 #include <vector>
 
 namespace
 {
   using namespace Waker;
-
-  const std::string base_case =
-    WAKER_SOURCE_DIRECTORY "/parameters/chapter5/analysis1.prm";
-  const std::string field = "Random fields/strength/";
-
-  /// Coarse: four points per metre.
-  std::unique_ptr<Input>
-  coarse(std::vector<std::string> overrides)
-  {
-    overrides.push_back("Grid/Cell size=0.5");
-    return std::move(read_scenarios(base_case, overrides)[0]);
-  }
-
-
-  struct Drawn
-  {
-    Drawn(const Input &input, const std::uint64_t realisation = 0)
-      : the_case(input.simulation, MPI_COMM_SELF)
-      , properties(the_case, input.reliability.fields)
-      , state(initial_state(the_case))
-    {
-      std::vector<double> noise(properties.n_noise());
-      white_noise({1, realisation, 0}, 0, noise.size(), noise.data());
-      properties.apply(noise.data(), state);
-    }
-
-    const std::vector<double> &
-    values(const std::string &name) const
-    {
-      return state.points.scalars[state.points.find_scalar(name)].values;
-    }
-
-    const std::vector<double> &
-    strength() const
-    {
-      return values("undrained shear strength");
-    }
-
-    Case<2>             the_case;
-    RandomProperties<2> properties;
-    State<2>            state;
-  };
+  using namespace RandomDyke;
 
 
   TEST(RandomProperties, residual_strength_goes_along_with_the_strength)
@@ -124,6 +81,30 @@ namespace
   }
 
 
+  TEST(RandomProperties, lognormal_statistics_of_points_keep_the_mean)
+  {
+    // The same scores, wider and narrower: ln c = mu + s z, where the mean of
+    // c is 13 kPa for the variance of z, 1 or gamma.
+    const std::string lognormal = field + "Distribution=lognormal";
+    const std::string spread    = field + "Coefficient of variation=1";
+    const Drawn       cells(*coarse({lognormal, spread}));
+    const Drawn       points(
+      *coarse({lognormal, spread, field + "Statistics of=points"}));
+    const Correlation correlation(Correlation::Function::markov, {24., 0.5});
+    const double      gamma =
+      correlation.between_cells({{0.25, 0.25, 1.}}, {{0, 0, 0}});
+    const double s = std::sqrt(std::log(2.));
+    for (std::size_t q = 0; q < cells.strength().size(); ++q)
+      {
+        const double z =
+          (std::log(cells.strength()[q] / 13.) + 0.5 * s * s) / s;
+        ASSERT_NEAR(std::log(points.strength()[q] / 13.),
+                    -0.5 * s * s * gamma + s * std::sqrt(gamma) * z,
+                    1e-9);
+      }
+  }
+
+
   TEST(RandomProperties, two_fields_are_correlated_as_asked)
   {
     for (const double rho : {1., 0.6, -0.5})
@@ -179,6 +160,11 @@ namespace
       contains(where({field + "Scales of fluctuation=0, 1"}), "contains 0"));
     EXPECT_TRUE(contains(where({field + "Mean=1 - y"}), "at ("));
     EXPECT_TRUE(contains(where({field + "Distribution=beta"}), "Maximum"));
+    for (const std::string distribution : {"truncated normal", "beta"})
+      EXPECT_TRUE(contains(where({field + "Distribution=" + distribution,
+                                  field + "Maximum=40",
+                                  field + "Statistics of=points"}),
+                           field + "Statistics of"));
     EXPECT_TRUE(contains(where({"Random fields/Correlations=strength: 1"}),
                          "Correlations"));
     EXPECT_TRUE(
@@ -192,6 +178,82 @@ namespace
       contains(where({"Sweep/Parameter=Campaign/Seed", "Sweep/Values=1; 2"}),
                "Campaign/Seed"));
     EXPECT_TRUE(contains(where({"Sweep/Parameter=Water/Level"}), "is empty"));
+  }
+
+
+  TEST(RandomProperties, two_fields_of_one_property_are_refused)
+  {
+    // One names the only material, the other does not.
+    const std::string again = "Random fields/again/";
+    try
+      {
+        const auto        plain    = coarse({});
+        const std::string material = plain->simulation.materials[0].name;
+        const Drawn       drawn(*coarse({"Random fields/Names=strength, again",
+                                         field + "Material=",
+                                         again + "Material=" + material}));
+        FAIL();
+      }
+    catch (const UserError &error)
+      {
+        EXPECT_EQ(error.where, again + "Property");
+        EXPECT_NE(error.problem.find("\"strength\""), std::string::npos);
+      }
+  }
+
+
+  TEST(RandomProperties, values_that_are_not_finite_are_refused)
+  {
+    const auto                input = coarse({});
+    const Case<2>             the_case(input->simulation, MPI_COMM_SELF);
+    const RandomProperties<2> properties(the_case, input->reliability.fields);
+    State<2>                  state = initial_state(the_case);
+    for (const double bad : {std::nan(""), HUGE_VAL})
+      {
+        std::vector<double> noise =
+          realisation_noise(1, 0, properties.n_noise());
+        noise[0] = bad;
+        try
+          {
+            properties.apply(noise.data(), state);
+            ADD_FAILURE() << bad;
+          }
+        catch (const NumericalFailure &failure)
+          {
+            EXPECT_EQ(std::string(failure.what()).rfind(field.substr(0, 22), 0),
+                      0u)
+              << failure.what();
+          }
+      }
+  }
+
+
+  TEST(RandomProperties, description_has_the_cells_per_scale_of_fluctuation)
+  {
+    const auto lines = [](const std::string &scales) {
+      const Drawn drawn(*coarse({field + "Scales of fluctuation=" + scales}));
+      return drawn.properties.description();
+    };
+    const auto enough = lines("24, 1");
+    ASSERT_EQ(enough.size(), 1u);
+    EXPECT_NE(enough[0].find(", 96 x 4 cells per scale of fluctuation"),
+              std::string::npos)
+      << enough[0];
+    const auto few = lines("24, 0.9");
+    ASSERT_EQ(few.size(), 2u);
+    EXPECT_NE(few[0].find(", 96 x 3.6 cells"), std::string::npos) << few[0];
+    EXPECT_NE(few[1].find("fewer than 4 cells per scale of fluctuation along "
+                          "y:"),
+              std::string::npos)
+      << few[1];
+  }
+
+
+  TEST(RandomProperties, noise_of_a_realisation_is_its_stream_0)
+  {
+    std::vector<double> expected(7);
+    white_noise({3, 11, 0}, 0, expected.size(), expected.data());
+    EXPECT_EQ(realisation_noise(3, 11, 7), expected);
   }
 
 
@@ -247,23 +309,5 @@ namespace
     // The third attempt begins with a quarter of the step and halves it once.
     EXPECT_NE(record->stop_reason.find("dt = 0.00125"), std::string::npos)
       << record->stop_reason;
-  }
-
-
-  TEST(MovedSoil, is_counted_by_direction_with_its_mean_way)
-  {
-    MaterialPoints<2> points;
-    points.id               = {0, 1, 2, 3};
-    points.volume           = {1., 3., 2., 5.};
-    points.initial_position = {{0., 0.}, {0., 0.}, {0., 0.}, {0., 0.}};
-    points.position         = {{0.6, -1.}, {1., 0.}, {-2., -0.5}, {0.4, -3.}};
-    const MovedSoil right   = moved_soil(points, true);
-    EXPECT_DOUBLE_EQ(right.area, 4.);
-    EXPECT_DOUBLE_EQ(right.dx, 0.9);
-    EXPECT_DOUBLE_EQ(right.dy, -0.25);
-    const MovedSoil left = moved_soil(points, false);
-    EXPECT_DOUBLE_EQ(left.area, 2.);
-    EXPECT_DOUBLE_EQ(left.dx, -2.);
-    EXPECT_DOUBLE_EQ(left.dy, -0.5);
   }
 } // namespace

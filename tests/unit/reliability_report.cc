@@ -139,6 +139,21 @@ TEST(Report, tables_and_json_say_the_same)
 
   for (const std::string &name : tables)
     EXPECT_GT(read_table(folder.path, name).size(), 2U) << name;
+  for (const char *const name : {"probability_time", "convergence"})
+    for (const auto &row : read_table(folder.path, name))
+      {
+        const double n          = std::stod(row.at("n")),
+                     n_initial  = std::stod(row.at("n_S1")),
+                     n_flooding = std::stod(row.at("n_F"));
+        EXPECT_NEAR(std::stod(row.at("P_S1")), n_initial / n, 1e-11);
+        EXPECT_NEAR(std::stod(row.at("P_F")), n_flooding / n, 1e-11);
+        if (n_initial > 0.)
+          {
+            EXPECT_NEAR(std::stod(row.at("P_F_given_S1")),
+                        n_flooding / n_initial,
+                        1e-11);
+          }
+      }
 
   const auto json =
     nlohmann::json::parse(read_file(join_path(folder.path, "report.json")));
@@ -259,6 +274,9 @@ TEST(Report, level_table_is_read_before_anything_is_written)
   catch (const UserError &error)
     {
       EXPECT_EQ(error.where, "Risk/Level table");
+      EXPECT_NE(error.problem.find("'" + parameters.risk.level_table + "'"),
+                std::string::npos)
+        << error.problem;
     }
   EXPECT_ANY_THROW(read_file(join_path(folder.path, "classes.csv")));
 
@@ -268,6 +286,60 @@ TEST(Report, level_table_is_read_before_anything_is_written)
   const auto json =
     nlohmann::json::parse(read_file(join_path(folder.path, "report.json")));
   EXPECT_EQ(json["notes"].size(), 2U); // constant outside; table too short
+}
+
+
+TEST(Report, nothing_yearly_without_a_sweep_of_the_water_level)
+{
+  AnalysisParameters parameters;
+  parameters.risk.distribution        = "Gumbel";
+  parameters.risk.location            = 3.;
+  parameters.risk.scale               = 0.3;
+  parameters.risk.allowed_probability = 0.01;
+  parameters.risk.consequence         = 1e8;
+  const Campaign c                    = make_campaign();
+
+  Campaign one_level = c;
+  one_level.info.scenarios.resize(1);
+  one_level.records.resize(1);
+  Campaign no_sweep             = one_level;
+  no_sweep.info.swept_parameter = "";
+  Campaign one_run              = c; // of three levels
+  one_run.records[1].clear();
+  one_run.records[2].clear();
+  Campaign another             = c;
+  another.info.swept_parameter = "Soil profile/dyke/Polygon";
+  for (const Campaign &campaign : {one_level, no_sweep, one_run, another})
+    {
+      const TemporaryFolder folder;
+      write_report(campaign.info, campaign.records, parameters, folder.path);
+      const std::string text = read_file(join_path(folder.path, "report.json"));
+      const auto        json = nlohmann::json::parse(text);
+      EXPECT_TRUE(json["yearly"].is_null());
+      ASSERT_EQ(json["notes"].size(), 1U);
+      EXPECT_NE(json["notes"][0].get<std::string>().find("Water/Level"),
+                std::string::npos);
+      EXPECT_EQ(text.find("verdict"), std::string::npos);
+      EXPECT_EQ(text.find("risk_euro"), std::string::npos);
+    }
+}
+
+
+TEST(Report, names_the_machines)
+{
+  const TemporaryFolder folder;
+  const Campaign        c = make_campaign();
+  MachineUse            use;
+  use.machine.host   = "node7";
+  use.n_realisations = 1200;
+  use.wall_time      = 360.5;
+  write_report(c.info, c.records, AnalysisParameters(), folder.path, {use});
+  const auto json =
+    nlohmann::json::parse(read_file(join_path(folder.path, "report.json")));
+  ASSERT_EQ(json["machines"].size(), 1U);
+  EXPECT_EQ(json["machines"][0]["host"], "node7");
+  EXPECT_EQ(json["machines"][0]["realisations"], 1200);
+  EXPECT_EQ(json["machines"][0]["wall_time"], 360.5);
 }
 
 

@@ -67,6 +67,20 @@ namespace Waker
         return value;
       }
 
+      std::string
+      text(const std::string &attribute) const
+      {
+        const hid_t id     = H5Aopen(file, attribute.c_str(), H5P_DEFAULT);
+        const hid_t type   = H5Aget_type(id);
+        char       *buffer = nullptr;
+        EXPECT_GE(H5Aread(id, type, &buffer), 0);
+        const std::string value = buffer == nullptr ? "" : buffer;
+        H5free_memory(buffer);
+        H5Tclose(type);
+        H5Aclose(id);
+        return value;
+      }
+
     private:
       const hid_t file;
     };
@@ -96,6 +110,10 @@ namespace Waker
       counts.n_foreign     = 5;
       counts.n_repeated    = 6;
       counts.n_conflicting = 7;
+      MachineUse use;
+      use.machine.host   = "node7";
+      use.n_realisations = 6;
+      counts.machines    = {use};
       write_store(
         path, synthetic_campaign(), records, SlideParameters(), counts, 8);
     }
@@ -238,6 +256,8 @@ namespace Waker
     EXPECT_EQ(store.count("n_repeated_lines"), 6u);
     EXPECT_EQ(store.count("n_conflicting_lines"), 7u);
     EXPECT_EQ(store.count("n_surplus"), 8u);
+    EXPECT_NE(store.text("machines").find("\"host\":\"node7\""),
+              std::string::npos);
   }
 
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <waker/base/random_numbers.h>
 #include <waker/program/parameter_reader.h>
 #include <waker/reliability/input.h>
 #include <waker/reliability/realisation_runner.h>
@@ -31,12 +30,12 @@ namespace
 
     // Neighbours differ less along x than along z, and there less than
     // upwards: mean squared differences against the exact correlation.
-    std::vector<double> noise(runner.n_noise());
-    double              squared[3] = {0., 0., 0.};
-    unsigned int        count[3]   = {0, 0, 0};
+    double       squared[3] = {0., 0., 0.};
+    unsigned int count[3]   = {0, 0, 0};
     for (std::uint64_t i = 0; i < 40; ++i)
       {
-        white_noise({1, i, 0}, 0, noise.size(), noise.data());
+        const std::vector<double> noise =
+          realisation_noise(1, i, runner.n_noise());
         const State<3>             state  = runner.initial(noise.data());
         const MaterialPoints<3>   &points = state.points;
         const std::vector<double> &strength =

@@ -15,6 +15,11 @@ namespace Waker
    *   "truncated normal"  normal(mean, sd) under the condition of the limits:
    *                       mean and sd are those before the truncation
    *   "beta"              on [minimum, maximum] with this mean and sd
+   *
+   * If the spread is that of points, and z that of their averages over cells,
+   * z has a variance below 1. The median of the lognormal distribution is then
+   * such that the mean stays what it is; normal values keep it anyway. The
+   * other two distributions take standard normal z only.
    */
   class Marginal
   {
@@ -39,17 +44,28 @@ namespace Waker
     std::string
     problem(const double mean, const double standard_deviation) const;
 
-    /// The value whose probability of non-exceedance is Phi(z).
+    /// The value whose probability of non-exceedance is Phi(z / sqrt(v)).
+    /// @param variance v of z
     double
     value(const double z,
           const double mean,
-          const double standard_deviation) const;
+          const double standard_deviation,
+          const double variance = 1.) const;
 
-    /// z of a value strictly between the limits (of measurements).
+    /// z of a value (of measurements): the inverse of value(). Only for values
+    /// of which value_problem() finds nothing wrong.
     double
     normal_score(const double value,
                  const double mean,
-                 const double standard_deviation) const;
+                 const double standard_deviation,
+                 const double variance = 1.) const;
+
+    /// Has the value a score? Empty, or which values have one: "above 0". The
+    /// distribution itself must be possible (problem()).
+    std::string
+    value_problem(const double value,
+                  const double mean,
+                  const double standard_deviation) const;
 
   private:
     Kind   type;

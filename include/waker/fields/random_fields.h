@@ -28,10 +28,12 @@ namespace Waker
   class RandomFields
   {
   public:
-    /// Normal score of a measured value of field `field` at x (m).
+    /// Normal score of a measured value of field `field` at x (m); the scores
+    /// of the field have the given variance.
     using Score = std::function<double(const unsigned int           field,
                                        const std::array<double, 3> &x,
-                                       const double                 value)>;
+                                       const double                 value,
+                                       const double                 variance)>;
 
     /// @param lattices one per field; correlated fields have equal ones
     /// @throws UserError "Random fields/..."
@@ -66,7 +68,16 @@ namespace Waker
       return fields[field].gamma;
     }
 
-    /// A line per field for the log.
+    /// Variance of a field's scores: 1, or gamma if its statistics are those
+    /// of points.
+    double
+    score_variance(const unsigned int field) const
+    {
+      return fields[field].variance;
+    }
+
+    /// For the log: a line per field, with the cells per scale of fluctuation,
+    /// and one more where these are fewer than 4.
     std::vector<std::string>
     description() const;
 
@@ -82,8 +93,10 @@ namespace Waker
     {
       std::string                     name;
       FieldLattice                    lattice;
-      double                          gamma; // variance of a cell average
-      double                          scale; // of the generator's values
+      double                          gamma;    // variance of a cell average
+      double                          scale;    // of the generator's values
+      double                          variance; // of the scores
+      std::vector<double>             scales;   // of fluctuation, m
       std::unique_ptr<FieldGenerator> generator;
       std::unique_ptr<Conditioning>   conditioning; // or none
     };

@@ -29,7 +29,9 @@ namespace Waker
    *
    * Realisations that failed numerically are in no denominator. As blowing up
    * may well go with failing, `if_all_failed` and `if_none_failed` are the
-   * probabilities if each of them had (or had not) failed and flooded.
+   * probabilities if each of them had failed and flooded, or nothing more had
+   * happened to it: what it had recorded of S1 and F before counts in both.
+   * They bound P(S1) and P(F), not their ratio.
    */
   struct ScenarioEstimate
   {

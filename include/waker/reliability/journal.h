@@ -2,6 +2,7 @@
 #ifndef waker_reliability_journal_h
 #define waker_reliability_journal_h
 
+#include <waker/reliability/machine.h>
 #include <waker/reliability/record.h>
 
 #include <chrono>
@@ -18,10 +19,10 @@ namespace Waker
 
   /**
    * A file journal-NNNNN.jsonl of its own in the folder of a campaign: a line
-   * that says whose it is, then one line per finished realisation. A line is
-   * with the operating system when append() returns: kill -9 of this process
-   * does not lose it. The folder may be shared by any number of writers, on
-   * any number of machines.
+   * that says whose it is and which machine writes, then one line per finished
+   * realisation. A line is with the operating system when append() returns:
+   * kill -9 of this process does not lose it. The folder may be shared by any
+   * number of writers, on any number of machines.
    */
   class JournalWriter
   {
@@ -84,6 +85,9 @@ namespace Waker
     /// The same, with another result: the first one in order of file is kept.
     std::uint64_t n_conflicting = 0;
 
+    /// Who computed the records kept (see join()).
+    std::vector<MachineUse> machines;
+
     /// A sentence with file and line for each of these, but the repeated.
     std::vector<std::string> remarks;
   };
@@ -117,6 +121,7 @@ namespace Waker
   private:
     struct Journal
     {
+      MachineUse    use;
       std::uint64_t position = 0;     // behind the last whole line, bytes
       std::uint64_t size     = 0;     // when last looked at, bytes
       std::uint64_t n_lines  = 0;     // read
@@ -136,6 +141,7 @@ namespace Waker
     void
     read_record(const std::string   &place,
                 const std::string   &line,
+                MachineUse          &use,
                 std::vector<Record> &records);
 
     std::string                    folder;

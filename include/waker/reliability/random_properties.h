@@ -7,6 +7,7 @@
 #include <waker/simulation/case.h>
 #include <waker/simulation/state.h>
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -34,6 +35,7 @@ namespace Waker
 
     /// Set the properties of the points of `state`, a copy of the case's first
     /// one. @param noise n_noise() standard normal numbers
+    /// @throws NumericalFailure "Random fields/...": a value is not finite
     void
     apply(const double *noise, State<dim> &state) const;
 
@@ -50,6 +52,7 @@ namespace Waker
     /// Where one field goes.
     struct Target
     {
+      std::string              path; // "Random fields/strength"
       std::string              property;
       Marginal                 marginal;
       std::vector<std::size_t> points; // that get it
@@ -64,6 +67,14 @@ namespace Waker
     std::vector<Target>                      targets;
     mutable std::vector<std::vector<double>> scores;
   };
+
+
+  /// The white noise of realisation i of a campaign: the first n numbers of
+  /// the key (seed, i, stream 0).
+  std::vector<double>
+  realisation_noise(const std::uint64_t seed,
+                    const std::uint64_t realisation,
+                    const std::size_t   n);
 } // namespace Waker
 
 #endif

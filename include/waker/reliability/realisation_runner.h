@@ -66,8 +66,7 @@ namespace Waker
     std::optional<Record>
     run(const double *noise, const volatile std::sig_atomic_t *interrupt);
 
-    /// run() for realisation i of a campaign: the noise is that of the key
-    /// (seed, i, stream 0).
+    /// run() for realisation i of a campaign, with its realisation_noise().
     std::optional<Record>
     run(const std::uint64_t               seed,
         const std::uint64_t               realisation,
@@ -90,15 +89,7 @@ namespace Waker
     MPI_Comm                                      communicator;
     std::vector<std::unique_ptr<const Case<dim>>> cases;
     RandomProperties<dim>                         random_properties;
-    std::vector<double>                           noise_buffer;
   };
-
-
-  /// The moments of the soil that moved horizontally by more than 0.5 m.
-  /// @param inward true: towards positive x
-  template <int dim>
-  MovedSoil
-  moved_soil(const MaterialPoints<dim> &points, const bool positive);
 } // namespace Waker
 
 #endif

@@ -2,6 +2,8 @@
 #ifndef waker_reliability_record_h
 #define waker_reliability_record_h
 
+#include <waker/observers/moved_soil.h>
+
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -26,14 +28,6 @@ namespace Waker
     double time;   // s
     double width;  // W, m
     double height; // H, m
-  };
-
-  /// Soil that has moved horizontally by more than 0.5 m, one way.
-  struct MovedSoil
-  {
-    double area = 0.; // m^2 (volume per metre)
-    double dx   = 0.; // its mean displacement, m
-    double dy   = 0.;
   };
 
   /**

@@ -5,6 +5,7 @@
 #include <waker/reliability/analysis_parameters.h>
 #include <waker/reliability/campaign_info.h>
 #include <waker/reliability/fragility.h>
+#include <waker/reliability/machine.h>
 #include <waker/reliability/record.h>
 
 #include <optional>
@@ -14,8 +15,9 @@
 namespace Waker
 {
   /// The distribution of the yearly maximum of the water level, if there is
-  /// one. Reads the table's file.
-  /// @throws UserError "Risk/Level table", or file:line
+  /// one. Reads the table's file; a relative path begins in the folder in which
+  /// the program was started.
+  /// @throws UserError "Risk/Level table" with the path, or file:line
   std::optional<LevelDistribution>
   read_level_distribution(const RiskParameters &parameters);
 
@@ -30,6 +32,7 @@ namespace Waker
    * @param records_by_scenario as many as info.scenarios; each realisation
    *        once, in any order; a scenario may have none yet
    * @param directory must exist
+   * @param machines  JournalCounts::machines
    * @throws UserError "Output/Directory" if it is not writable; as
    *         read_level_distribution(), before anything is written
    */
@@ -37,7 +40,8 @@ namespace Waker
   write_report(const CampaignInfo                     &info,
                const std::vector<std::vector<Record>> &records_by_scenario,
                const AnalysisParameters               &parameters,
-               const std::string                      &directory);
+               const std::string                      &directory,
+               const std::vector<MachineUse>          &machines = {});
 
   /// For people: counts, probabilities and intervals, a few lines per
   /// scenario, without a line break at the end. Reads no file.

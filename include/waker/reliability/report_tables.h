@@ -6,6 +6,7 @@
 #include <waker/reliability/campaign_info.h>
 #include <waker/reliability/event_tree.h>
 #include <waker/reliability/fragility.h>
+#include <waker/reliability/machine.h>
 #include <waker/reliability/record.h>
 #include <waker/reliability/slides.h>
 
@@ -42,6 +43,7 @@ namespace Waker
     std::string
     probabilities(const Scenarios &scenarios);
 
+    /// With the counts n, n_S1, n_F, as convergence().
     std::string
     probability_time(const Scenarios &scenarios);
 
@@ -89,7 +91,8 @@ namespace Waker
               const std::vector<AnalysedScenario>    &scenarios,
               const std::vector<FragilityPoint>      &points,
               const AnalysisParameters               &parameters,
-              const std::optional<LevelDistribution> &distribution);
+              const std::optional<LevelDistribution> &distribution,
+              const std::vector<MachineUse>          &machines = {});
 } // namespace Waker
 
 #endif
