@@ -66,7 +66,8 @@ namespace Waker
                       "year, falling and above 0, that it is exceeded. A line "
                       "of titles and lines that begin with # are skipped; "
                       "linear in the logarithm between the levels and beyond "
-                      "them.",
+                      "them. A relative path begins in the folder in which "
+                      "waker is started.",
                       Patterns::Anything());
     prm.add_parameter("Allowed probability",
                       allowed_probability,
