@@ -19,12 +19,29 @@ N = 120
 KILLS = 10
 
 
+def members(session):
+    """Processes of a session: mpirun puts its ranks into groups of their own,
+    and they outlive it."""
+    found = []
+    for name in os.listdir("/proc"):
+        try:
+            if name.isdigit() and os.getsid(int(name)) == session:
+                found.append(int(name))
+        except ProcessLookupError:
+            pass
+    return found
+
+
 def end(campaign, process, done, signal_number, rng):
-    """Signal the process group at a random moment after `done` records."""
+    """Signal all processes at a random moment after `done` records."""
     if not campaign.wait_for_records(process, done):
         sys.exit(f"ended before it could be killed: {process.communicate()[1]}")
     time.sleep(rng.uniform(0., 0.5))
-    os.killpg(process.pid, signal_number)
+    for member in members(process.pid):
+        try:
+            os.kill(member, signal_number)
+        except ProcessLookupError:
+            pass
     process.communicate()
     return process.returncode
 
