@@ -39,6 +39,9 @@ namespace Waker
         if (std::getenv(launcher) != nullptr)
           return;
       setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+      // Its folders have one name for all lone processes, which end at times of
+      // their own and remove them.
+      setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
       setenv("OMPI_MCA_btl", "self", 0);
       setenv("OMPI_MCA_pml", "ob1", 0);
     }
