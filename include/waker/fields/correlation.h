@@ -56,7 +56,7 @@ namespace Waker
     /**
      * Between the averages over two cells that are `lag` cells apart, for unit
      * variance of a point: lag 0 gives the variance function gamma of the cell
-     * (section 7.3 of the notes on numerics; Vanmarcke 1983). In closed form
+     * (Vanmarcke 1983, variance function). In closed form
      * where there is one, otherwise by Gauss quadrature with a relative error
      * below 1e-9 near the origin.
      */
