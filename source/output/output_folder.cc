@@ -78,16 +78,20 @@ namespace Waker
 
   void
   remove_files(const std::string                              &folder,
-               const std::function<bool(const std::string &)> &is_ours)
+               const std::function<bool(const std::string &)> &is_ours,
+               const bool                                      temporary_only)
   {
     std::error_code error;
     if (!fs::is_directory(folder, error))
       return;
     std::vector<fs::path> found;
     for (const auto &entry : fs::directory_iterator(folder))
-      if (entry.is_regular_file() &&
-          is_ours(without_temporary_end(entry.path().filename().string())))
-        found.push_back(entry.path());
+      {
+        const std::string name = entry.path().filename().string();
+        if (entry.is_regular_file() && is_ours(without_temporary_end(name)) &&
+            (!temporary_only || ends_with(name, ".tmp")))
+          found.push_back(entry.path());
+      }
     for (const fs::path &path : found)
       if (!fs::remove(path, error) && error)
         refuse("cannot remove '" + path.string() + "': " + error.message(),
@@ -97,37 +101,65 @@ namespace Waker
 
   namespace
   {
+    bool
+    is_file_of_run(const std::string &name)
+    {
+      for (const char *const ours : {"parameters.prm",
+                                     "log.txt",
+                                     "statistics",
+                                     "summary.json",
+                                     "particles.pvd",
+                                     "surface.pvd",
+                                     "grid.pvd",
+                                     "strength_reduction.csv",
+                                     "strength_reduction.json"})
+        if (name == ours)
+          return true;
+      return false;
+    }
+
+
+    bool
+    is_file_of_solution(const std::string &name)
+    {
+      return is_numbered(name, "particles-", ".vtu") ||
+             is_numbered(name, "surface-", ".vtu") ||
+             is_numbered(name, "grid-", ".vtu");
+    }
+
+
+    bool
+    is_checkpoint(const std::string &name)
+    {
+      return is_numbered(name, "checkpoint-", ".bin");
+    }
+
+
     void
     remove_run(const fs::path &folder)
     {
-      remove_files(folder.string(), [](const std::string &name) {
-        for (const char *const ours : {"parameters.prm",
-                                       "log.txt",
-                                       "statistics",
-                                       "summary.json",
-                                       "particles.pvd",
-                                       "surface.pvd",
-                                       "grid.pvd",
-                                       "strength_reduction.csv",
-                                       "strength_reduction.json"})
-          if (name == ours)
-            return true;
-        return false;
-      });
-      remove_files((folder / "solution").string(), [](const std::string &name) {
-        return is_numbered(name, "particles-", ".vtu") ||
-               is_numbered(name, "surface-", ".vtu") ||
-               is_numbered(name, "grid-", ".vtu");
-      });
-      remove_files((folder / "checkpoints").string(),
-                   [](const std::string &name) {
-                     return is_numbered(name, "checkpoint-", ".bin");
-                   });
+      remove_files(folder.string(), is_file_of_run);
+      remove_files((folder / "solution").string(), is_file_of_solution);
+      remove_files((folder / "checkpoints").string(), is_checkpoint);
 
       // These fail, as they should, where something of the user's is left.
       std::error_code ignored;
       fs::remove(folder / "solution", ignored);
       fs::remove(folder / "checkpoints", ignored);
+    }
+
+
+    /// What a killed process was writing.
+    void
+    remove_leftovers(const fs::path &folder)
+    {
+      const auto remove = [](const fs::path &where,
+                             bool            is_ours(const std::string &)) {
+        remove_files(where.string(), is_ours, /* temporary_only = */ true);
+      };
+      remove(folder, is_file_of_run);
+      remove(folder / "solution", is_file_of_solution);
+      remove(folder / "checkpoints", is_checkpoint);
     }
   } // namespace
 
@@ -201,6 +233,8 @@ namespace Waker
     make_folder(folder);
     if (mode == FolderMode::overwrite)
       remove_run(folder);
+    else if (mode == FolderMode::resume)
+      remove_leftovers(folder);
     make_folder(folder / "solution");
     write_file(join_path(directory, "parameters.prm"), parameters);
   }

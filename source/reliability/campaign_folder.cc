@@ -93,7 +93,8 @@ namespace Waker
     std::vector<std::string>
     report_files()
     {
-      return {"probabilities.csv",
+      return {"realisations.csv",
+              "probabilities.csv",
               "probability_time.csv",
               "convergence.csv",
               "histograms.csv",

@@ -75,6 +75,7 @@ namespace Waker
     };
     using namespace ReportTables;
     const HistogramParameters &bins = parameters.histograms;
+    write("realisations.csv", realisations(scenarios));
     write("probabilities.csv", probabilities(scenarios));
     write("probability_time.csv", probability_time(scenarios));
     write("convergence.csv", convergence(scenarios));

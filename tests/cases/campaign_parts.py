@@ -6,6 +6,7 @@ it at the same realisation.
 
 usage: campaign_parts.py WAKER SOURCE_DIRECTORY [REALISATIONS]
 """
+import json
 import os
 import sys
 import tempfile
@@ -36,6 +37,28 @@ def main():
         outcomes = [record["outcome"] for record in whole.records()]
         check(len(set(outcomes)) > 1, "more than one outcome",
               {name: outcomes.count(name) for name in sorted(set(outcomes))})
+
+        # Snapshots: full output of chosen realisations, as the campaign has
+        # them. On two ranks, and again: those that are there stay.
+        snapshots = campaign("snapshots", set={
+            "Snapshots/First": 1, "Snapshots/Of each outcome": 1,
+            "Snapshots/Realisations": n - 1})
+        snapshots.run(ranks=2)
+        by_outcome = {}
+        for record in sorted(whole.records(), key=lambda r: r["realisation"]):
+            by_outcome.setdefault(record["outcome"], record["realisation"])
+        wanted = {0, n - 1, *by_outcome.values()}
+        place = os.path.join(snapshots.folder, "snapshots")
+        check(set(os.listdir(place)) == {f"0-{i}" for i in wanted},
+              "snapshots of those asked for", sorted(os.listdir(place)))
+        widths = {record["realisation"]: record["residual_width"]
+                  for record in whole.records()}
+        for i in wanted:
+            with open(os.path.join(place, f"0-{i}", "summary.json"),
+                      encoding="utf-8") as file:
+                check(json.load(file)["residual_width"] == widths[i],
+                      f"snapshot {i} ends as in the campaign")
+        check.same("with snapshots", reference, snapshots.merged())
 
         for number in (2, 4):
             ranks = campaign(f"ranks-{number}")

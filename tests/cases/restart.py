@@ -74,6 +74,8 @@ def kill_and_resume(waker, folder, settings, moments, kill, rng):
         run.send_signal(kill)
         run.wait()
         kills.append(simulated_time(folder))
+        # As if it had been killed between writing a file and renaming it.
+        open(os.path.join(folder, "surface.pvd.tmp"), "w").close()
         run = start(waker, folder, settings, "--resume")
     error = run.communicate()[1].decode()
     if run.returncode != 0:

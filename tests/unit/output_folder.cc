@@ -94,6 +94,7 @@ namespace Waker
                                 "checkpoints/checkpoint-1.bin.tmp"};
     const char *const mine[] = {"notes.txt",
                                 "statistics.ods",
+                                "draft.tmp",
                                 "solution/particles-best.vtu",
                                 "solution/old/particles-00001.vtu"};
     for (const char *const name : ours)
@@ -101,13 +102,18 @@ namespace Waker
     for (const char *const name : mine)
       put(run + "/" + name, "x");
 
+    // A resumed run keeps its files, but not those that were half written.
     prepare_output_folder(run, FolderMode::resume, "second");
-    for (const char *const name : ours)
-      EXPECT_TRUE(fs::exists(run + "/" + name)) << name;
+    for (const std::string name : ours)
+      EXPECT_EQ(fs::exists(run + "/" + name),
+                name.find(".tmp") == std::string::npos)
+        << name;
     EXPECT_THROW(prepare_output_folder(run, FolderMode::must_be_new, "third"),
                  UserError);
     EXPECT_EQ(get(run + "/parameters.prm"), "second");
 
+    put(run + "/surface.pvd.tmp", "x");
+    put(run + "/log.txt.2.tmp", "x");
     prepare_output_folder(run, FolderMode::overwrite, "fourth");
     for (const char *const name : ours)
       EXPECT_FALSE(fs::exists(run + "/" + name)) << name;

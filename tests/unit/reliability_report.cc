@@ -155,6 +155,34 @@ TEST(Report, tables_and_json_say_the_same)
           }
       }
 
+  // Of each realisation all there is, in order of number.
+  const auto  all  = read_table(folder.path, "realisations");
+  std::size_t line = 0;
+  for (std::size_t s = 0; s < c.records.size(); ++s)
+    {
+      std::vector<Record> sorted = c.records[s];
+      std::sort(sorted.begin(),
+                sorted.end(),
+                [](const Record &a, const Record &b) {
+                  return a.realisation < b.realisation;
+                });
+      for (const Record &record : sorted)
+        {
+          ASSERT_LT(line, all.size());
+          const auto &row = all[line++];
+          EXPECT_EQ(row.at("scenario"), std::to_string(s));
+          EXPECT_EQ(row.at("realisation"), std::to_string(record.realisation));
+          EXPECT_EQ(row.at("outcome"), to_string(record.outcome));
+          EXPECT_NEAR(std::stod(row.at("residual_width")),
+                      record.residual_width,
+                      1e-9);
+          EXPECT_EQ(row.at("flooding_time") == "nan",
+                    record.flooding_time < 0.);
+          EXPECT_EQ(row.at("steps"), std::to_string(record.steps));
+        }
+    }
+  EXPECT_EQ(line, all.size());
+
   const auto json =
     nlohmann::json::parse(read_file(join_path(folder.path, "report.json")));
   const auto rows = read_table(folder.path, "probabilities");

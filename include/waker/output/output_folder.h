@@ -14,11 +14,13 @@ namespace Waker
               const std::string &end);
 
   /// Remove the files of a folder whose names `is_ours` knows, also those that
-  /// a killed process has left under a temporary name ("log.txt.tmp").
+  /// a killed process has left under a temporary name ("log.txt.tmp"), or only
+  /// these.
   /// @throws UserError "Output/Directory"
   void
   remove_files(const std::string                              &folder,
-               const std::function<bool(const std::string &)> &is_ours);
+               const std::function<bool(const std::string &)> &is_ours,
+               const bool temporary_only = false);
 
   /// Remove a run from its folder, and the folder if nothing else is in it.
   void
@@ -49,7 +51,8 @@ namespace Waker
 
   /**
    * Make the folder and "solution/" in it, remove the files of an earlier run
-   * if `mode` says so, and write parameters.prm.
+   * (overwrite) or what its killed process has left half written (resume), and
+   * write parameters.prm.
    *
    * Only files that a run writes are ever removed, by their names: anything
    * else in the folder stays.

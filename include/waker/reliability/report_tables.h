@@ -43,6 +43,11 @@ namespace Waker
     std::string
     probabilities(const Scenarios &scenarios);
 
+    /// One line per realisation, with all columns of the store but the slides;
+    /// outcome and class in words.
+    std::string
+    realisations(const Scenarios &scenarios);
+
     /// With the counts n, n_S1, n_F, as convergence().
     std::string
     probability_time(const Scenarios &scenarios);
