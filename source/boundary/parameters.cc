@@ -9,6 +9,19 @@ namespace Waker
   void
   SurfaceParameters::add_parameters(ParameterHandler &prm)
   {
+    prm.add_parameter("Method",
+                      method,
+                      "How the surface of the soil is found: the proximity "
+                      "field of the points, or the contour of their support "
+                      "domains. Water loads it, and the dyke is measured on "
+                      "it.",
+                      Patterns::Selection("proximity field|contour"));
+    prm.add_parameter("Prismatic",
+                      prismatic,
+                      "In 3D: take the body as prismatic along z, and find its "
+                      "surface in the x-y plane, as for a slice in plane "
+                      "strain.",
+                      Patterns::Bool());
     prm.add_parameter("Kernel radius",
                       kernel_radius,
                       "Radius of the kernel of the proximity field, in cells, "
@@ -27,6 +40,22 @@ namespace Waker
                       mirror,
                       "Mirror the kernels at fixed faces of the grid. Without, "
                       "the field is halved there and the surface curls inward.",
+                      Patterns::Bool());
+    prm.add_parameter("Minimum gap width",
+                      minimum_gap_width,
+                      "Contour: horizontal gaps between support domains that "
+                      "are narrower than this are filled, as a share of the "
+                      "smallest domain's width, 0 (none) to below 1.",
+                      Patterns::Double(0.));
+    prm.add_parameter("Minimum gap height",
+                      minimum_gap_height,
+                      "Contour: vertical gaps lower than this are filled, as a "
+                      "share of the smallest domain's height, 0 to below 1.",
+                      Patterns::Double(0.));
+    prm.add_parameter("Symmetric filling",
+                      symmetric_filling,
+                      "Contour: fill gaps alike from both sides. Off: from the "
+                      "left, as in the thesis.",
                       Patterns::Bool());
   }
 

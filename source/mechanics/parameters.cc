@@ -14,8 +14,9 @@ namespace Waker
                       scheme,
                       "Newmark: implicit, beta = 1/4, gamma = 1/2 (the main "
                       "scheme). explicit: an independent check with its own, "
-                      "stable time step.",
-                      Patterns::Selection("Newmark|explicit"));
+                      "stable time step. quasi-static: no inertia; the time is "
+                      "that of the load.",
+                      Patterns::Selection("Newmark|explicit|quasi-static"));
     prm.add_parameter("Time step",
                       time_step,
                       "Time step of the Newmark scheme (s), above 0. The "
@@ -41,6 +42,16 @@ namespace Waker
                       "Explicit scheme: time step as a share (-) of the time "
                       "in which a compression wave crosses a cell, above 0.",
                       Patterns::Double(0., 1.));
+    prm.add_parameter("Load duration",
+                      load_duration,
+                      "Quasi-static scheme: weight and loads grow from nothing "
+                      "to full over this time (s). 0: full from the start.",
+                      Patterns::Double(0.));
+    prm.add_parameter("Move points",
+                      move_points,
+                      "Quasi-static scheme: the points move with the nodes. "
+                      "false: only their stresses change.",
+                      Patterns::Bool());
   }
 
 
@@ -170,5 +181,18 @@ namespace Waker
                       "and Winget 1980). false: small strain without rotation, "
                       "as in the thesis.",
                       Patterns::Bool());
+    prm.add_parameter("Strain",
+                      strain,
+                      "step: the strain increment of each step. logarithmic: "
+                      "Hencky strain of the elastic deformation, with the "
+                      "internal force in the deformed configuration, for large "
+                      "elastic strains.",
+                      Patterns::Selection("step|logarithmic"));
+    prm.add_parameter("Domains",
+                      domains,
+                      "Support domains of GIMP: constant, or stretched with "
+                      "the deformation of the points (needs Strain = "
+                      "logarithmic).",
+                      Patterns::Selection("constant|stretched"));
   }
 } // namespace Waker

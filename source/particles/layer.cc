@@ -28,10 +28,19 @@ namespace Waker
                       "3D only: the layer reaches from z0 to z1 (m), \"z0, "
                       "z1\". Empty: over the whole grid.",
                       Patterns::List(Patterns::Double()));
-    prm.add_parameter("Velocity",
-                      velocity,
-                      "Initial velocity of the layer (m/s): per component a "
-                      "number or an expression of x, y, z (m); for example "
+    prm.add_parameter(
+      "Velocity",
+      velocity,
+      "Initial velocity of the layer (m/s): per component a "
+      "number or an expression of x, y, z (m);     prm.add_parameter(" Initial
+        stress ",
+      initial_stress,
+      "Initial stress of the layer (kPa, tension positive): "
+      "xx, yy, zz, xy and, in 3D, xz, yz, each a number or an "
+      "expression of x, y, z (m), separated by semicolons. It "
+      "needs Gravity/Initial stress = false. Empty: none.",
+      Patterns::Anything());
+for example "
                       "\"0.1*sin(pi*x/50); 0\". Empty: at rest.",
                       Patterns::Anything());
   }
@@ -76,6 +85,14 @@ namespace Waker
                       "this share (0 to 0.5) is given to its neighbour; no "
                       "volume is lost.",
                       Patterns::Double(0., 0.5));
+    prm.add_parameter("Placement",
+                      placement,
+                      "sub-cells: points on the lattice of the grid's "
+                      "sub-cells, cut by the layers' edges. rows: each row of "
+                      "sub-cells is divided into rectangles from edge to edge "
+                      "of a layer, so that support domains fill it and slopes "
+                      "cut the middle of the outermost ones.",
+                      Patterns::Selection("sub-cells|rows"));
   }
 
 

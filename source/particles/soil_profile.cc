@@ -157,9 +157,7 @@ namespace Waker
       half_size[d] = grid.cell_size() / (2. * parameters.points_per_direction);
 
     MaterialPoints<dim> points;
-    MaterialPoints<dim>::for_each_array(points, [&](const char *, auto &array) {
-      array.resize(n);
-    });
+    points.resize(n);
     double point_volume = 0., point_mass = 0.;
     for (std::size_t p = 0; p < n; ++p)
       {

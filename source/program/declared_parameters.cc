@@ -121,6 +121,26 @@ namespace Waker
     declare_section(prm, "Gravity", parameters.gravity);
     declare_section(prm, "Water", parameters.water);
     declare_section(prm, "Surface", parameters.surface);
+    const auto named = [&](const std::string              &section,
+                           const std::string              &what,
+                           const std::vector<std::string> &of_section,
+                           auto                           &structs) {
+      declare_named(prm,
+                    section,
+                    "Names",
+                    "Names of the " + what +
+                      ", separated by commas; each has a subsection.",
+                    of_section,
+                    structs);
+    };
+    named("Tractions", "tractions", names.tractions, parameters.tractions);
+    named("Point loads",
+          "point loads",
+          names.point_loads,
+          parameters.point_loads);
+    named("Walls", "walls", names.walls, parameters.walls);
+    declare_section(prm, "Outflow", parameters.outflow);
+    named("Inflow", "inflows", names.inflows, parameters.inflows);
     declare_section(prm, "Kinematics and mapping", parameters.mapping);
     declare_section(prm, "Time stepping", parameters.time);
     declare_section(prm, "Newton", parameters.newton);

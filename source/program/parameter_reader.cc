@@ -174,10 +174,14 @@ namespace Waker
     {
       // First the names, then the subsections that they call for.
       ParameterNames names;
-      names.materials  = read_names(contents, "Materials", "Names");
-      names.layers     = read_names(contents, "Soil profile", "Layers");
-      names.conditions = read_names(contents, "Boundary conditions", "Names");
-      names.fields     = read_names(contents, "Random fields", "Names");
+      names.materials   = read_names(contents, "Materials", "Names");
+      names.layers      = read_names(contents, "Soil profile", "Layers");
+      names.conditions  = read_names(contents, "Boundary conditions", "Names");
+      names.tractions   = read_names(contents, "Tractions", "Names");
+      names.point_loads = read_names(contents, "Point loads", "Names");
+      names.walls       = read_names(contents, "Walls", "Names");
+      names.inflows     = read_names(contents, "Inflow", "Names");
+      names.fields      = read_names(contents, "Random fields", "Names");
 
       auto             input = std::make_unique<Input>();
       ParameterHandler prm;

@@ -114,8 +114,15 @@ namespace Waker
         subsections.end())
       return;
 
-    const bool named = above == "Materials" || above == "Soil profile" ||
-                       above == "Boundary conditions";
+    bool named = false;
+    for (const char *const section : {"Materials",
+                                      "Soil profile",
+                                      "Boundary conditions",
+                                      "Tractions",
+                                      "Point loads",
+                                      "Walls",
+                                      "Inflow"})
+      named = named || above == section;
     const std::string best = nearest_name(name, subsections);
     std::string       allowed;
     if (!best.empty())

@@ -197,6 +197,15 @@ namespace Waker
                       "step for the initial stress has no solution",
                       "at least one, or Gravity/Initial stress = false");
     check_water(water, layers);
+    for (const TractionParameters &traction : tractions)
+      traction.check(dimension, mapping.functions);
+    for (const PointLoadParameters &load : point_loads)
+      load.check(dimension);
+    for (const WallParameters &wall : walls)
+      wall.check(dimension);
+    outflow.open_faces(dimension);
+    for (const InflowParameters &inflow : inflows)
+      inflow.check(dimension);
 
     require_positive("Surface/Kernel radius", surface.kernel_radius);
     if (!(surface.threshold > 0. && surface.threshold < 1.))

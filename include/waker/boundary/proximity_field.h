@@ -7,6 +7,8 @@
 #include <waker/grid/background_grid.h>
 #include <waker/particles/material_points.h>
 
+#include <string>
+
 namespace dealii
 {
   class ParameterHandler;
@@ -17,12 +19,22 @@ namespace Waker
   /// Section "Surface".
   struct SurfaceParameters
   {
+    /// "proximity field" or "contour" (of the support domains).
+    std::string method = "proximity field";
+    /// 3D: take the body as prismatic along z, as a slice in plane strain is.
+    bool prismatic = false;
     /// Radius of the kernel in cells (a = b = kernel_radius h), 0.5 to 2.
     double kernel_radius = 1.;
     /// The surface is where the proximity field has this value, 0 to 1.
     double threshold = 0.5;
     /// Mirror the kernels at fixed faces of the grid.
     bool mirror = true;
+    /// Gaps of the contour narrower (lower) than this are filled, in points'
+    /// domains (W_min, H_min of eqs. 3.12-3.14); 0: none.
+    double minimum_gap_width  = 0.5;
+    double minimum_gap_height = 0.5;
+    /// Fill gaps in both directions alike, instead of from the left only.
+    bool symmetric_filling = false;
 
     void
     add_parameters(ParameterHandler &prm);

@@ -16,7 +16,7 @@ namespace Waker
   /// Section "Time stepping".
   struct TimeParameters
   {
-    std::string scheme    = "Newmark"; // or "explicit"
+    std::string scheme    = "Newmark"; // or "explicit", "quasi-static"
     double      time_step = 0.01;      // s (Newmark)
     double      end_time  = 40.;       // s
     /// The unbalanced force grows from 0 to full over this time (s); 0: off.
@@ -25,6 +25,11 @@ namespace Waker
     unsigned int maximum_halvings = 6;
     /// Explicit: time step as a share of h / (c_p + |v|).
     double courant_number = 0.5;
+    /// Quasi-static: weight and loads grow from 0 to full over this time (s);
+    /// 0: full from the start.
+    double load_duration = 0.;
+    /// Quasi-static: do the points move with the nodes, or stay in place?
+    bool move_points = true;
 
     void
     add_parameters(ParameterHandler &prm);
@@ -87,6 +92,13 @@ namespace Waker
     /// Strain at mid-step, stress turned with the body (Hughes & Winget
     /// 1980); off: small strain, no rotation.
     bool objective_rate = true;
+    /// "step": the strain increment of each step (above); "logarithmic": Hencky
+    /// strain of the elastic deformation since the start, with the internal
+    /// force in the deformed configuration.
+    std::string strain = "step";
+    /// Support domains: "constant", or "stretched" with the points' deformation
+    /// (cpGIMP; Charlton et al. 2017).
+    std::string domains = "constant";
 
     void
     add_parameters(ParameterHandler &prm);

@@ -22,12 +22,15 @@ namespace Waker
   };
 
   /**
-   * The state of the material points: a structure of arrays, all of length
-   * n_points(), indexed by the point's place in the arrays. A point is known
-   * for ever by its `id`.
+   * The state of the material points: a structure of arrays, of length
+   * n_points() or empty, indexed by the point's place in the arrays. A point is
+   * known for ever by its `id`.
    *
    * `scalars` holds what the materials declare (Material::variables()): each
    * name appears once, whatever the number of materials that use it.
+   *
+   * The arrays that only some cases need are empty in the others: point loads,
+   * and what a finite deformation is remembered by.
    */
   template <int dim>
   struct MaterialPoints
@@ -44,10 +47,27 @@ namespace Waker
     std::vector<SymmetricTensor<2, 3>> stress; // kPa, tension positive
     std::vector<NamedArray>            scalars;
 
+    // Empty unless the case has them.
+    std::vector<Tensor<1, dim>> load;              // dead load, kN
+    std::vector<Tensor<1, dim>> initial_half_size; // m
+    std::vector<Tensor<2, dim>> deformation;       // gradient F since t = 0
+
     std::size_t
     n_points() const
     {
       return id.size();
+    }
+
+    /// Make room for `n` points in the arrays that every case has.
+    void
+    resize(const std::size_t n)
+    {
+      for_each_array(*this, [&](const char *, auto &array) {
+        if (static_cast<const void *>(&array) != &load &&
+            static_cast<const void *>(&array) != &initial_half_size &&
+            static_cast<const void *>(&array) != &deformation)
+          array.resize(n);
+      });
     }
 
     /// Number of a scalar in `scalars`, or -1 if no material declared it.
@@ -87,6 +107,9 @@ namespace Waker
       f("velocity", self.velocity);
       f("acceleration", self.acceleration);
       f("stress", self.stress);
+      f("load", self.load);
+      f("initial half size", self.initial_half_size);
+      f("deformation", self.deformation);
       for (auto &scalar : self.scalars)
         f(scalar.name.c_str(), scalar.values);
     }

@@ -29,6 +29,10 @@ namespace Waker
     /// Initial velocity (m/s): per component an expression of the point's x, y,
     /// z (m), for example "0.1*sin(pi*x/50); 0". Empty: at rest.
     std::string velocity;
+    /// Initial stress (kPa, tension positive): xx, yy, zz, xy[, xz, yz], each
+    /// an expression of the point's place. Empty: none, or that of the gravity
+    /// step.
+    std::string initial_stress;
 
     void
     add_parameters(ParameterHandler &prm);
@@ -55,6 +59,10 @@ namespace Waker
     /// fullest neighbour of the same layer: its volume and first moment are
     /// kept, its point is not made. 0 to 0.5.
     double minimum_cut = 0.25;
+    /// "sub-cells" of the grid, or "rows": rectangles that fill each row of
+    /// sub-cells between the edges of the layer, whose slopes cut the middle of
+    /// the outermost ones (section 3.5 of Remmerswaal 2023).
+    std::string placement = "sub-cells";
 
     void
     add_parameters(ParameterHandler &prm);

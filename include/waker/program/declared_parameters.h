@@ -19,10 +19,14 @@ namespace Waker
   /// The names that the user gives to subsections.
   struct ParameterNames
   {
-    std::vector<std::string> materials;  // Materials/Names
-    std::vector<std::string> layers;     // Soil profile/Layers
-    std::vector<std::string> conditions; // Boundary conditions/Names
-    std::vector<std::string> fields;     // Random fields/Names
+    std::vector<std::string> materials;   // Materials/Names
+    std::vector<std::string> layers;      // Soil profile/Layers
+    std::vector<std::string> conditions;  // Boundary conditions/Names
+    std::vector<std::string> tractions;   // Tractions/Names
+    std::vector<std::string> point_loads; // Point loads/Names
+    std::vector<std::string> walls;       // Walls/Names
+    std::vector<std::string> inflows;     // Inflow/Names
+    std::vector<std::string> fields;      // Random fields/Names
   };
 
   /// A parameter as `prm` knows it.

@@ -3,12 +3,16 @@
 #define waker_simulation_parameters_h
 
 #include <waker/boundary/proximity_field.h>
+#include <waker/boundary/traction_parameters.h>
+#include <waker/boundary/wall_parameters.h>
 #include <waker/boundary/water_load.h>
 #include <waker/control/parameters.h>
 #include <waker/materials/factory.h>
 #include <waker/mechanics/parameters.h>
 #include <waker/nodes/fixities.h>
 #include <waker/output/parameters.h>
+#include <waker/particles/flow_parameters.h>
+#include <waker/particles/point_loads.h>
 #include <waker/particles/soil_profile.h>
 
 #include <string>
@@ -52,22 +56,27 @@ namespace Waker
    */
   struct Parameters
   {
-    unsigned int                    dimension = 2;
-    GridParameters                  grid;
-    MaterialPointParameters         points;
-    std::vector<MaterialParameters> materials;
-    std::vector<LayerParameters>    layers;
-    std::vector<FixityParameters>   fixities;
-    GravityParameters               gravity;
-    WaterParameters                 water;
-    SurfaceParameters               surface;
-    MappingParameters               mapping;
-    TimeParameters                  time;
-    NewtonParameters                newton;
-    InitialFailureParameters        initial_failure;
-    StopParameters                  stop;
-    StrengthReductionParameters     strength_reduction;
-    OutputParameters                output;
+    unsigned int                     dimension = 2;
+    GridParameters                   grid;
+    MaterialPointParameters          points;
+    std::vector<MaterialParameters>  materials;
+    std::vector<LayerParameters>     layers;
+    std::vector<FixityParameters>    fixities;
+    GravityParameters                gravity;
+    WaterParameters                  water;
+    SurfaceParameters                surface;
+    std::vector<TractionParameters>  tractions;
+    std::vector<PointLoadParameters> point_loads;
+    std::vector<WallParameters>      walls;
+    OutflowParameters                outflow;
+    std::vector<InflowParameters>    inflows;
+    MappingParameters                mapping;
+    TimeParameters                   time;
+    NewtonParameters                 newton;
+    InitialFailureParameters         initial_failure;
+    StopParameters                   stop;
+    StrengthReductionParameters      strength_reduction;
+    OutputParameters                 output;
 
     /// The .prm text of all values used, and its hash: they go with every
     /// output. Set by the reader; `hash` leaves "Output" and "Stop rules" and

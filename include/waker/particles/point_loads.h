@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_particles_point_loads_h
+#define waker_particles_point_loads_h
+
+#include <waker/particles/material_points.h>
+
+#include <string>
+#include <vector>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace Waker
+{
+  /// A force that rides on material points: subsection "Point loads/<name>".
+  struct PointLoadParameters
+  {
+    std::string name; // of the subsection
+    /// The points initially in this box share the force, by volume (m). With
+    /// `to` empty: the point nearest to `from`, the first of several.
+    std::vector<double> from;
+    std::vector<double> to;
+    /// Total force (kN; kN/m in 2D), dim components, constant in direction.
+    std::vector<double> force;
+
+    void
+    add_parameters(ParameterHandler &prm);
+
+    /// @throws UserError "Point loads/<name>/..."
+    void
+    check(const unsigned int dim) const;
+  };
+
+  /// Give the points their share of the loads (MaterialPoints::load).
+  /// @throws UserError "Point loads/<name>/From" if no point is there
+  template <int dim>
+  void
+  apply_point_loads(const std::vector<PointLoadParameters> &loads,
+                    MaterialPoints<dim>                    &points);
+} // namespace Waker
+
+#endif
