@@ -6,8 +6,6 @@
 
 namespace Waker
 {
-  using namespace dealii;
-
   void
   TractionParameters::add_parameters(ParameterHandler &prm)
   {

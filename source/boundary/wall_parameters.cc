@@ -6,8 +6,6 @@
 
 namespace Waker
 {
-  using namespace dealii;
-
   void
   WallParameters::add_parameters(ParameterHandler &prm)
   {

@@ -1,13 +1,41 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/parameter_handler.h>
 
+#include <waker/base/checks.h>
 #include <waker/base/errors.h>
 #include <waker/base/text.h>
 #include <waker/particles/flow_parameters.h>
 
+#include <algorithm>
+#include <array>
+
 namespace Waker
 {
-  using namespace dealii;
+  namespace
+  {
+    const std::array<std::string, 6> face_names = {
+      {"left", "right", "bottom", "top", "back", "front"}};
+
+
+    /// 6 if there is no such face.
+    unsigned int
+    number_of(const std::string &face)
+    {
+      return std::find(face_names.begin(), face_names.end(), face) -
+             face_names.begin();
+    }
+
+
+    std::string
+    faces_of(const unsigned int dim)
+    {
+      std::string list = face_names[0];
+      for (unsigned int f = 1; f < 2 * dim; ++f)
+        list += ", " + face_names[f];
+      return list;
+    }
+  } // namespace
+
 
   void
   OutflowParameters::add_parameters(ParameterHandler &prm)
@@ -25,7 +53,18 @@ namespace Waker
   std::vector<bool>
   OutflowParameters::open_faces(const unsigned int dim) const
   {
-    return std::vector<bool>(2 * dim, false);
+    std::vector<bool> open(2 * dim, false);
+    for (const std::string &face : split(faces, ','))
+      {
+        const unsigned int f = number_of(face);
+        if (f >= 2 * dim)
+          throw UserError("Outflow/Faces",
+                          "there is no face \"" + face + "\" in " +
+                            std::to_string(dim) + "D",
+                          faces_of(dim) + ", separated by commas");
+        open[f] = true;
+      }
+    return open;
   }
 
 
@@ -43,8 +82,9 @@ namespace Waker
     prm.add_parameter("From",
                       from,
                       "The opening reaches from From to To (m), along the "
-                      "face's own directions; what is given in the normal one "
-                      "does not count. Empty: the whole face.",
+                      "face's own directions, a whole number of cells; what is "
+                      "given in the normal one does not count. Empty: the "
+                      "whole face.",
                       Patterns::List(Patterns::Double(), 0, 3));
     prm.add_parameter("To",
                       to,
@@ -57,9 +97,34 @@ namespace Waker
   }
 
 
+  unsigned int
+  InflowParameters::face_number() const
+  {
+    return number_of(face);
+  }
+
+
   void
   InflowParameters::check(const unsigned int dim) const
   {
-    (void)dim;
+    const std::string path = "Inflow/" + name + "/";
+    if (face_number() >= 2 * dim)
+      throw UserError(path + "Face",
+                      "there is no face \"" + face + "\" in " +
+                        std::to_string(dim) + "D",
+                      faces_of(dim));
+    for (const auto *limit : {&from, &to})
+      if (!limit->empty() && limit->size() != dim)
+        throw UserError(path + (limit == &from ? "From" : "To"),
+                        "has " + std::to_string(limit->size()) + " numbers",
+                        std::to_string(dim) + " numbers, or nothing");
+    if (!from.empty() && !to.empty())
+      for (unsigned int d = 0; d < dim; ++d)
+        if (d != face_number() / 2 && !(from[d] < to[d]))
+          throw UserError(path + "To",
+                          "the opening is empty in direction " +
+                            std::string(1, "xyz"[d]),
+                          "larger numbers than in From");
+    require_positive(path + "Velocity", velocity, "m/s");
   }
 } // namespace Waker

@@ -28,20 +28,19 @@ namespace Waker
                       "3D only: the layer reaches from z0 to z1 (m), \"z0, "
                       "z1\". Empty: over the whole grid.",
                       Patterns::List(Patterns::Double()));
-    prm.add_parameter(
-      "Velocity",
-      velocity,
-      "Initial velocity of the layer (m/s): per component a "
-      "number or an expression of x, y, z (m);     prm.add_parameter(" Initial
-        stress ",
-      initial_stress,
-      "Initial stress of the layer (kPa, tension positive): "
-      "xx, yy, zz, xy and, in 3D, xz, yz, each a number or an "
-      "expression of x, y, z (m), separated by semicolons. It "
-      "needs Gravity/Initial stress = false. Empty: none.",
-      Patterns::Anything());
-for example "
+    prm.add_parameter("Velocity",
+                      velocity,
+                      "Initial velocity of the layer (m/s): per component a "
+                      "number or an expression of x, y, z (m); for example "
                       "\"0.1*sin(pi*x/50); 0\". Empty: at rest.",
+                      Patterns::Anything());
+    prm.add_parameter("Initial stress",
+                      initial_stress,
+                      "Initial stress of the layer (kPa, tension positive): "
+                      "xx; yy; zz; xy and, in 3D, xz; yz, each a number or an "
+                      "expression of x, y, z (m), with \";\" between them. It "
+                      "needs Gravity/Initial stress = false. Empty: none, or "
+                      "that of the gravity step.",
                       Patterns::Anything());
   }
 
@@ -72,6 +71,26 @@ for example "
   }
 
 
+  std::vector<std::string>
+  LayerParameters::stress_components(const unsigned int dim) const
+  {
+    const std::vector<std::string> parts =
+      Utilities::split_string_list(initial_stress, ';');
+    const unsigned int n = dim == 2 ? 4 : 6;
+    if (!parts.empty() &&
+        (parts.size() != n || std::count(parts.begin(), parts.end(), "") != 0))
+      throw UserError("Soil profile/" + name + "/Initial stress",
+                      "\"" + initial_stress + "\" has " +
+                        std::to_string(parts.size()) +
+                        " numbers or expressions",
+                      std::string(dim == 2 ? "\"xx; yy; zz; xy\" in 2D"
+                                           : "\"xx; yy; zz; xy; xz; yz\" in "
+                                             "3D") +
+                        ", or nothing");
+    return parts;
+  }
+
+
   void
   MaterialPointParameters::add_parameters(ParameterHandler &prm)
   {
@@ -83,7 +102,7 @@ for example "
                       minimum_cut,
                       "A point's sub-cell of which a slope leaves less than "
                       "this share (0 to 0.5) is given to its neighbour; no "
-                      "volume is lost.",
+                      "volume is lost. Rows have no cut sub-cells.",
                       Patterns::Double(0., 0.5));
     prm.add_parameter("Placement",
                       placement,
@@ -91,7 +110,8 @@ for example "
                       "sub-cells, cut by the layers' edges. rows: each row of "
                       "sub-cells is divided into rectangles from edge to edge "
                       "of a layer, so that support domains fill it and slopes "
-                      "cut the middle of the outermost ones.",
+                      "cut the middle of the outermost ones; corners of "
+                      "slopes should lie on lines between the rows.",
                       Patterns::Selection("sub-cells|rows"));
   }
 
@@ -102,6 +122,46 @@ for example "
     interval(const double begin, const double end)
     {
       return to_text(begin) + " to " + to_text(end) + " m";
+    }
+
+
+    template <int dim>
+    std::vector<Expression<dim>>
+    expressions_of_place(const std::vector<std::string> &texts,
+                         const std::string              &path)
+    {
+      std::vector<Expression<dim>> expressions;
+      for (const std::string &text : texts)
+        {
+          expressions.emplace_back(text, path);
+          if (expressions.back().moves())
+            throw UserError(path,
+                            "\"" + text + "\" depends on the time t",
+                            "expressions of the place only");
+        }
+      return expressions;
+    }
+
+
+    /// @throws UserError if the value at x is no finite number
+    template <int dim>
+    double
+    finite_value(const Expression<dim> &expression,
+                 const Point<dim>      &x,
+                 const std::string     &path,
+                 const std::string     &unit)
+    {
+      const double value = expression.value(x, 0.);
+      if (!std::isfinite(value))
+        {
+          std::ostringstream where;
+          where << "\"" << expression.text() << "\" is " << value
+                << " at the point (" << x << ") m";
+          throw UserError(path,
+                          where.str(),
+                          "a finite number (" + unit + ") at every point");
+        }
+      return value;
     }
   } // namespace
 
@@ -176,15 +236,11 @@ for example "
       }
     layer.material = material - material_names.begin();
 
-    const std::string path = layer.path + "/Velocity";
-    for (const std::string &text : parameters.velocity_components(dim))
-      {
-        layer.velocity.emplace_back(text, path);
-        if (layer.velocity.back().moves())
-          throw UserError(path,
-                          "\"" + text + "\" depends on the time t",
-                          "expressions of the place only");
-      }
+    layer.velocity =
+      expressions_of_place<dim>(parameters.velocity_components(dim),
+                                layer.path + "/Velocity");
+    layer.stress = expressions_of_place<dim>(parameters.stress_components(dim),
+                                             layer.path + "/Initial stress");
   }
 
 
@@ -194,19 +250,23 @@ for example "
   {
     Tensor<1, dim> v;
     for (unsigned int d = 0; d < velocity.size(); ++d)
-      {
-        v[d] = velocity[d].value(x, 0.);
-        if (!std::isfinite(v[d]))
-          {
-            std::ostringstream where;
-            where << "\"" << velocity[d].text() << "\" is " << v[d]
-                  << " at the point (" << x << ") m";
-            throw UserError(path + "/Velocity",
-                            where.str(),
-                            "a finite number (m/s) at every point");
-          }
-      }
+      v[d] = finite_value(velocity[d], x, path + "/Velocity", "m/s");
     return v;
+  }
+
+
+  template <int dim>
+  SymmetricTensor<2, 3>
+  Layer<dim>::stress_at(const Point<dim> &x) const
+  {
+    // The order in which the user writes the components.
+    constexpr unsigned int places[6][2] = {
+      {0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}};
+    SymmetricTensor<2, 3> sigma;
+    for (unsigned int k = 0; k < stress.size(); ++k)
+      sigma[places[k][0]][places[k][1]] =
+        finite_value(stress[k], x, path + "/Initial stress", "kPa");
+    return sigma;
   }
 
 

@@ -123,11 +123,12 @@ namespace Waker
   void
   print_parameters(std::ostream &output, const std::string &format)
   {
-    Input            input;
-    ParameterHandler prm;
+    Input                          input;
+    ParameterHandler               prm;
+    const std::vector<std::string> name = {"<name>"};
     declare_parameters(prm,
                        input,
-                       {{"<name>"}, {"<name>"}, {"<name>"}, {"<name>"}});
+                       {name, name, name, name, name, name, name, name});
 
     const auto style = ParameterHandler::KeepDeclarationOrder;
     if (format == "prm")

@@ -12,6 +12,8 @@ namespace dealii
 
 namespace Waker
 {
+  using namespace dealii;
+
   /// A traction as the user writes it: subsection "Tractions/<name>".
   struct TractionParameters
   {

@@ -11,6 +11,8 @@ namespace dealii
 
 namespace Waker
 {
+  using namespace dealii;
+
   /// A wall or rigid footing that is not on the grid: subsection
   /// "Walls/<name>".
   struct WallParameters

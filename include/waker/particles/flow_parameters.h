@@ -12,6 +12,8 @@ namespace dealii
 
 namespace Waker
 {
+  using namespace dealii;
+
   /// Section "Outflow".
   struct OutflowParameters
   {
@@ -43,6 +45,11 @@ namespace Waker
     void
     add_parameters(ParameterHandler &prm);
 
+    /// Number of the face: 2d lower, 2d + 1 upper face in direction d.
+    unsigned int
+    face_number() const;
+
+    /// What needs no other section: face, lengths, order, velocity.
     /// @throws UserError "Inflow/<name>/..."
     void
     check(const unsigned int dim) const;

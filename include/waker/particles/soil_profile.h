@@ -48,6 +48,12 @@ namespace Waker
     /// @throws UserError "Soil profile/<name>/Velocity": not `dim` parts
     std::vector<std::string>
     velocity_components(const unsigned int dim) const;
+
+    /// The expressions of the stress, in the order given above; none: zero.
+    /// @throws UserError "Soil profile/<name>/Initial stress": not 4 parts in
+    /// 2D, 6 in 3D
+    std::vector<std::string>
+    stress_components(const unsigned int dim) const;
   };
 
   /// Section "Material points".
@@ -78,8 +84,13 @@ namespace Waker
    *
    * Ids count from 0 in the order of creation (cells lexicographically, x
    * fastest, sub-cells likewise within a cell), which also keeps neighbours
-   * close in memory. `mass`, `velocity` and `material` are set; stress,
+   * close in memory. `mass`, `velocity`, `material` and `stress` are set;
    * acceleration and scalars are zero, empty.
+   *
+   * With Placement = rows the domains are rectangles that fill the rows of
+   * sub-cells (fill_rows(); in z a layer's extent is divided likewise), each
+   * point is the centre of its domain and has all of its volume. Where corners
+   * lie inside a row, the volume differs from that of the profile.
    *
    * Corners that only round-off keeps off a line of the lattice are put on it.
    *
@@ -87,8 +98,9 @@ namespace Waker
    * @param material_names to find a layer's material
    * @throws UserError: no layers, a polygon or extent outside the grid's box
    * (margin not included), layers that overlap, an unknown material, an extent
-   * or velocity of the wrong length, a velocity that is no number at a point or
-   * that is no expression of place; and what corners() throws
+   * or velocity of the wrong length, a velocity or stress that is no number at
+   * a point or no expression of place; rows whose volume differs by more than 1
+   * % from their profile's; and what corners() throws
    */
   template <int dim>
   MaterialPoints<dim>
