@@ -259,8 +259,8 @@ namespace Waker
                 f_plane[dim * node + 1] += load[1];
                 continue;
               }
-            find_support(mass, minimum, n_plane, node, support);
-            for (const SupportNode &s : support)
+            find_support<2>(mass, minimum, n_plane, node, support);
+            for (const SupportNode<2> &s : support)
               {
                 f_plane[dim * s.node] += s.weight * load[0];
                 f_plane[dim * s.node + 1] += s.weight * load[1];

@@ -164,20 +164,20 @@ TEST(Boundary, nodal_water_load_keeps_resultant_and_moment)
           }
 
       // How large do the weights get, near the surface?
-      std::vector<SupportNode> support;
+      std::vector<SupportNode<2>> support;
       for (unsigned int i = 0; i < grid.n_nodes(); ++i)
         if (mass[i] < minimum && mass[i] > 0 &&
             grid.node_position(i)[1] > -h / 2)
           {
             ++n_unsupported;
-            find_support(
+            find_support<2>(
               mass.data(), minimum, grid.n_nodes_per_direction(), i, support);
             double sum = -1., x = 0., y = 0.;
-            for (const SupportNode &s : support)
+            for (const SupportNode<2> &s : support)
               {
                 sum += s.weight;
-                x += s.weight * s.dx;
-                y += s.weight * s.dy;
+                x += s.weight * s.offset[0];
+                y += s.weight * s.offset[1];
                 largest_weight = std::max(largest_weight, std::abs(s.weight));
               }
             largest_miss =
@@ -196,34 +196,34 @@ TEST(Boundary, nodal_water_load_keeps_resultant_and_moment)
 TEST(Boundary, support_in_degenerate_cases)
 {
   const std::array<unsigned int, 2> n = {{6, 5}};
-  std::vector<SupportNode>          support;
+  std::vector<SupportNode<2>>       support;
   std::vector<double>               mass(30, 0.);
-  find_support(mass.data(), 0.5, n, 14, support);
+  find_support<2>(mass.data(), 0.5, n, 14, support);
   EXPECT_TRUE(support.empty());
 
   // One, then several on a line: the nearest, with the whole force.
   mass[0] = 1.;
-  find_support(mass.data(), 0.5, n, 14, support);
+  find_support<2>(mass.data(), 0.5, n, 14, support);
   ASSERT_EQ(support.size(), 1u);
   EXPECT_EQ(support[0].node, 0u);
   EXPECT_EQ(support[0].weight, 1.);
   mass.assign(30, 0.);
   for (const unsigned int i : {6, 7, 8, 9, 10})
     mass[i] = 1.;
-  find_support(mass.data(), 0.5, n, 14, support);
+  find_support<2>(mass.data(), 0.5, n, 14, support);
   ASSERT_EQ(support.size(), 1u);
   EXPECT_EQ(support[0].node, 8u);
 
   // Two rows: linear functions are reproduced.
   for (const unsigned int i : {0, 1, 2, 3, 4})
     mass[i] = 1.;
-  find_support(mass.data(), 0.5, n, 14, support);
+  find_support<2>(mass.data(), 0.5, n, 14, support);
   double sum = 0., x = 0., y = 0.;
-  for (const SupportNode &s : support)
+  for (const SupportNode<2> &s : support)
     {
       sum += s.weight;
-      x += s.weight * s.dx;
-      y += s.weight * s.dy;
+      x += s.weight * s.offset[0];
+      y += s.weight * s.offset[1];
       EXPECT_LE(std::abs(s.weight), 2.);
     }
   EXPECT_NEAR(sum, 1., 1e-13);

@@ -128,11 +128,11 @@ namespace Waker
 
     // Work arrays. Forces (kN/m) on the nodes of the x-y plane, and the nodes
     // of it that have one.
-    std::vector<Tensor<1, 2>>  plane_force;
-    std::vector<unsigned char> is_loaded;
-    std::vector<unsigned int>  loaded_nodes;
-    std::vector<SupportNode>   support;
-    std::vector<double>        cuts;
+    std::vector<Tensor<1, 2>>   plane_force;
+    std::vector<unsigned char>  is_loaded;
+    std::vector<unsigned int>   loaded_nodes;
+    std::vector<SupportNode<2>> support;
+    std::vector<double>         cuts;
   };
 } // namespace Waker
 
