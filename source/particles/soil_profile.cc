@@ -4,6 +4,7 @@
 
 #include <waker/base/errors.h>
 #include <waker/particles/layer.h>
+#include <waker/particles/rows.h>
 #include <waker/particles/soil_profile.h>
 #include <waker/particles/sub_cells.h>
 
@@ -39,11 +40,129 @@ namespace Waker
     template <int dim>
     struct Seed
     {
-      std::uint64_t order;
-      unsigned int  layer;
-      double        volume;
-      Point<dim>    position;
+      std::uint64_t  order;
+      unsigned int   layer;
+      double         volume;
+      Point<dim>     position;
+      Tensor<1, dim> half_size;
     };
+
+
+    /// Cells lexicographically, sub-cells likewise within their cell.
+    template <int dim>
+    std::uint64_t
+    place_in_order(const BackgroundGrid<dim> &grid,
+                   const unsigned int         points_per_direction,
+                   const std::array<int, 3>  &sub_cell)
+    {
+      const unsigned int n    = points_per_direction;
+      std::uint64_t      cell = 0, within = 0;
+      for (int d = dim - 1; d >= 0; --d)
+        {
+          cell   = cell * grid.n_nodes_per_direction()[d] + sub_cell[d] / n;
+          within = within * n + sub_cell[d] % n;
+        }
+      return cell * Utilities::pow(n, dim) + within;
+    }
+
+
+    /// Parts of the sub-cells; the support domains are whole sub-cells.
+    template <int dim>
+    void
+    add_sub_cells(const BackgroundGrid<dim>     &grid,
+                  const Layer<dim>              &layer,
+                  const Polygon                 &corners,
+                  const MaterialPointParameters &parameters,
+                  const unsigned int             number,
+                  std::vector<Seed<dim>>        &seeds)
+    {
+      const unsigned int n    = parameters.points_per_direction;
+      const double       size = grid.cell_size() / n;
+      // Below this a part is no point worth having, whatever the user says.
+      const double minimum_share = std::max(parameters.minimum_cut, 1e-6);
+      const std::vector<SubCellPart> parts = cut_sub_cells(corners);
+
+      std::vector<IntervalPart> slices = {{0, 1., 0.5}};
+      if (dim == 3)
+        slices = cut_intervals(to_lattice(grid, 2, n, layer.begin),
+                               to_lattice(grid, 2, n, layer.end),
+                               minimum_share);
+
+      std::vector<SubCellPart> merged;
+      double                   merged_for = -1.;
+      for (const IntervalPart &slice : slices)
+        {
+          // What counts is the share of the whole sub-cell. A layer of one
+          // thin slice is cut as in 2D.
+          const double share =
+            slice.share < minimum_share ? 1. : std::min(1., slice.share);
+          if (merged_for != share)
+            merged = merge_small_parts(parts, minimum_share / share);
+          merged_for = share;
+          for (const SubCellPart &part : merged)
+            {
+              Seed<dim> seed;
+              seed.layer = number;
+              seed.order =
+                place_in_order(grid,
+                               n,
+                               {{part.index[0], part.index[1], slice.index}});
+              seed.volume = part.share * slice.share * std::pow(size, dim);
+              for (unsigned int d = 0; d < dim; ++d)
+                {
+                  seed.position[d] =
+                    grid.lower_corner()[d] +
+                    size * (d < 2 ? part.centroid[d] : slice.centroid);
+                  seed.half_size[d] = size / 2.;
+                }
+              seeds.push_back(seed);
+            }
+        }
+    }
+
+
+    /// Rectangles (boxes) that fill the rows of sub-cells.
+    template <int dim>
+    void
+    add_rows(const BackgroundGrid<dim> &grid,
+             const Layer<dim>          &layer,
+             const Polygon             &corners,
+             const unsigned int         n,
+             const unsigned int         number,
+             std::vector<Seed<dim>>    &seeds)
+    {
+      const double size = grid.cell_size() / n;
+      // A support domain is at most as wide as a cell.
+      const double        largest = n;
+      std::vector<double> slices  = {0., 1.};
+      if (dim == 3)
+        slices = divide(to_lattice(grid, 2, n, layer.begin),
+                        to_lattice(grid, 2, n, layer.end),
+                        largest);
+      const std::vector<RowRectangle> rectangles = fill_rows(corners, largest);
+      for (std::size_t k = 0; k + 1 < slices.size(); ++k)
+        for (const RowRectangle &rectangle : rectangles)
+          {
+            const std::array<double, 3> begin = {
+              {rectangle.begin, double(rectangle.row), slices[k]}};
+            const std::array<double, 3> end = {
+              {rectangle.end, rectangle.row + 1., slices[k + 1]}};
+            Seed<dim> seed;
+            seed.layer                  = number;
+            seed.volume                 = 1.;
+            std::array<int, 3> sub_cell = {{0, 0, 0}};
+            for (unsigned int d = 0; d < dim; ++d)
+              {
+                const double centre = (begin[d] + end[d]) / 2.;
+                sub_cell[d]         = static_cast<int>(std::floor(centre));
+                seed.position[d]    = grid.lower_corner()[d] + size * centre;
+                seed.half_size[d]   = size * (end[d] - begin[d]) / 2.;
+                seed.volume *= 2. * seed.half_size[d];
+              }
+            seed.order = place_in_order(grid, n, sub_cell);
+            seeds.push_back(seed);
+          }
+    }
 
 
     template <int dim>
@@ -52,23 +171,7 @@ namespace Waker
                const std::vector<Layer<dim>> &layers,
                const MaterialPointParameters &parameters)
     {
-      const unsigned int n    = parameters.points_per_direction;
-      const double       size = grid.cell_size() / n;
-      // Below this a part is no point worth having, whatever the user says.
-      const double      minimum_share = std::max(parameters.minimum_cut, 1e-6);
-      const Point<dim> &lower         = grid.lower_corner();
-
-      // Cells lexicographically, sub-cells likewise within their cell.
-      const auto order = [&](const std::array<int, 3> &index) {
-        std::uint64_t cell = 0, sub_cell = 0;
-        for (int d = dim - 1; d >= 0; --d)
-          {
-            cell     = cell * grid.n_nodes_per_direction()[d] + index[d] / n;
-            sub_cell = sub_cell * n + index[d] % n;
-          }
-        return cell * Utilities::pow(n, dim) + sub_cell;
-      };
-
+      const unsigned int     n = parameters.points_per_direction;
       std::vector<Seed<dim>> seeds;
       for (unsigned int l = 0; l < layers.size(); ++l)
         {
@@ -76,39 +179,10 @@ namespace Waker
           for (auto &corner : corners)
             for (unsigned int d = 0; d < 2; ++d)
               corner[d] = to_lattice(grid, d, n, corner[d]);
-          const std::vector<SubCellPart> parts = cut_sub_cells(corners);
-
-          std::vector<IntervalPart> slices = {{0, 1., 0.5}};
-          if (dim == 3)
-            slices = cut_intervals(to_lattice(grid, 2, n, layers[l].begin),
-                                   to_lattice(grid, 2, n, layers[l].end),
-                                   minimum_share);
-
-          std::vector<SubCellPart> merged;
-          double                   merged_for = -1.;
-          for (const IntervalPart &slice : slices)
-            {
-              // What counts is the share of the whole sub-cell. A layer of one
-              // thin slice is cut as in 2D.
-              const double share =
-                slice.share < minimum_share ? 1. : std::min(1., slice.share);
-              if (merged_for != share)
-                merged = merge_small_parts(parts, minimum_share / share);
-              merged_for = share;
-              for (const SubCellPart &part : merged)
-                {
-                  Seed<dim> seed;
-                  seed.layer = l;
-                  seed.order =
-                    order({{part.index[0], part.index[1], slice.index}});
-                  seed.volume = part.share * slice.share * std::pow(size, dim);
-                  for (unsigned int d = 0; d < dim; ++d)
-                    seed.position[d] =
-                      lower[d] +
-                      size * (d < 2 ? part.centroid[d] : slice.centroid);
-                  seeds.push_back(seed);
-                }
-            }
+          if (parameters.placement == "rows")
+            add_rows(grid, layers[l], corners, n, l, seeds);
+          else
+            add_sub_cells(grid, layers[l], corners, parameters, l, seeds);
         }
       std::stable_sort(seeds.begin(),
                        seeds.end(),
@@ -116,6 +190,27 @@ namespace Waker
                          return a.order < b.order;
                        });
       return seeds;
+    }
+
+
+    /// Sub-cells keep every volume to round-off. Rows follow the mid-point
+    /// rule: what they miss is a corner between their lines.
+    void
+    check_volume(const double       points,
+                 const double       profile,
+                 const std::string &placement)
+    {
+      const double difference = std::abs(points - profile);
+      if (placement == "rows" && difference > 0.01 * profile)
+        throw UserError("Material points/Placement",
+                        "the rows have " + to_text(points) +
+                          " m^dim, the soil profile " + to_text(profile) +
+                          ": corners lie inside rows",
+                        "layers with their corners on lines between the rows, "
+                        "or sub-cells");
+      AssertThrow(placement == "rows" || difference <= 1e-10 * profile,
+                  ExcMessage("The material points have " + to_text(points) +
+                             " m^dim, their profile " + to_text(profile)));
     }
   } // namespace
 
@@ -152,9 +247,6 @@ namespace Waker
 
     const std::vector<Seed<dim>> seeds = make_seeds(grid, layers, parameters);
     const std::size_t            n     = seeds.size();
-    Tensor<1, dim>               half_size;
-    for (unsigned int d = 0; d < dim; ++d)
-      half_size[d] = grid.cell_size() / (2. * parameters.points_per_direction);
 
     MaterialPoints<dim> points;
     points.resize(n);
@@ -166,17 +258,17 @@ namespace Waker
         points.material[p]      = layer.material;
         points.volume[p]        = seeds[p].volume;
         points.mass[p]          = seeds[p].volume * densities[layer.material];
-        points.half_size[p]     = half_size;
+        points.half_size[p]     = seeds[p].half_size;
         points.position[p]      = seeds[p].position;
         points.initial_position[p] = seeds[p].position;
         points.velocity[p]         = layer.velocity_at(seeds[p].position);
+        points.stress[p]           = layer.stress_at(seeds[p].position);
         point_volume += points.volume[p];
         point_mass += points.mass[p];
       }
-    AssertThrow(std::abs(point_volume - volume) <= 1e-10 * volume,
-                ExcMessage("The material points have " + to_text(point_volume) +
-                           " m^dim, their profile " + to_text(volume)));
-    AssertThrow(std::abs(point_mass - mass) <= 1e-10 * mass,
+    check_volume(point_volume, volume, parameters.placement);
+    AssertThrow(parameters.placement == "rows" ||
+                  std::abs(point_mass - mass) <= 1e-10 * mass,
                 ExcMessage("The material points have " + to_text(point_mass) +
                            " Mg, their profile " + to_text(mass)));
     return points;

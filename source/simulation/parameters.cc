@@ -64,6 +64,7 @@ namespace Waker
                             "the smaller number first");
         }
       layer.velocity_components(dim);
+      layer.stress_components(dim);
       layer.corners();
     }
 
@@ -186,7 +187,13 @@ namespace Waker
                       "there is no layer",
                       "the names of the layers, separated by commas");
     for (const LayerParameters &layer : layers)
-      check_layer(layer, materials, dimension);
+      {
+        check_layer(layer, materials, dimension);
+        if (gravity.initial_stress && !layer.initial_stress.empty())
+          throw UserError("Soil profile/" + layer.name + "/Initial stress",
+                          "is given, but the gravity step sets the stress",
+                          "nothing, or Gravity/Initial stress = false");
+      }
 
     for (const FixityParameters &fixity : fixities)
       fixity.check(dimension);

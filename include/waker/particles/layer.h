@@ -2,6 +2,7 @@
 #ifndef waker_particles_layer_h
 #define waker_particles_layer_h
 
+#include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/tensor.h>
 
 #include <waker/base/expression.h>
@@ -24,6 +25,8 @@ namespace Waker
     unsigned int material = 0; // number
     /// Initial velocity (m/s), one per component; none: at rest.
     std::vector<Expression<dim>> velocity;
+    /// Initial stress (kPa): xx, yy, zz, xy[, xz, yz]; none: zero.
+    std::vector<Expression<dim>> stress;
 
     /// Volume (m^dim).
     double
@@ -36,9 +39,16 @@ namespace Waker
     /// @throws UserError ".../Velocity" if it is not a finite number there
     Tensor<1, dim>
     velocity_at(const Point<dim> &x) const;
+
+    /// Initial stress at x (kPa, tension positive).
+    /// @throws UserError ".../Initial stress" if it is not a finite number
+    /// there
+    SymmetricTensor<2, 3>
+    stress_at(const Point<dim> &x) const;
   };
 
-  /// Corners and extent of a layer; its material and velocity are left open.
+  /// Corners and extent of a layer; its material, velocity and stress are left
+  /// open.
   /// @throws UserError "Soil profile/<name>/Polygon" or ".../Extent": no simple
   /// polygon, outside the grid's box, not two ascending numbers, extent in 2D
   template <int dim>
@@ -46,9 +56,9 @@ namespace Waker
   place_layer(const BackgroundGrid<dim> &grid,
               const LayerParameters     &parameters);
 
-  /// Set the layer's material and velocity.
-  /// @throws UserError ".../Material": unknown; ".../Velocity": wrong length,
-  /// no expression of place
+  /// Set the layer's material, velocity and stress.
+  /// @throws UserError ".../Material": unknown; ".../Velocity", ".../Initial
+  /// stress": wrong length, no expression of place
   template <int dim>
   void
   fill_layer(const LayerParameters          &parameters,
