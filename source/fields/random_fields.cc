@@ -76,15 +76,14 @@ namespace Waker
                  read_measurements(p.measurements, lattices[f]))
               measured.push_back(
                 {m.cell, score(f, m.position, m.value, field.variance)});
-            const double variance =
-              field.gamma * field.scale * field.scale; // of the cells' scores
             field.conditioning =
               std::make_unique<Conditioning>(lattices[f],
                                              correlation,
                                              measured,
-                                             variance,
+                                             field.variance,
                                              p.measurement_error *
-                                               p.measurement_error * variance,
+                                               p.measurement_error *
+                                               field.variance,
                                              path);
             total_noise += field.conditioning->n_noise();
           }
