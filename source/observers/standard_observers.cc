@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/observers/observer.h>
 
+#include <numeric>
 #include <string>
 
 namespace Waker
@@ -96,6 +97,58 @@ namespace Waker
     private:
       std::string names[3][dim];
     };
+
+
+    /// Mass and momentum of a body with open faces; no columns without.
+    template <int dim>
+    class FlowObserver : public Observer<dim>
+    {
+    public:
+      FlowObserver()
+      {
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            const std::string unit = std::string(1, axis[d]) + " (kN s)";
+            names[0][d]            = "Momentum in " + unit;
+            names[1][d]            = "Momentum out " + unit;
+            names[2][d]            = "Impulse " + unit;
+            names[3][d]            = "Momentum remainder " + unit;
+          }
+      }
+
+      void
+      observe(const StepView<dim> &view, Row &row) override
+      {
+        if (view.flow == nullptr)
+          return;
+        const FlowAccount<dim> &flow = *view.flow;
+        const double            mass =
+          std::accumulate(view.points.mass.begin(), view.points.mass.end(), 0.);
+        row.add("Points", view.points.n_points());
+        row.add("Mass (Mg)", mass);
+        row.add("Mass in (Mg)", flow.mass_in);
+        row.add("Mass out (Mg)", flow.mass_out);
+        row.add("Mass remainder (Mg)",
+                mass - flow.mass_start - flow.mass_in + flow.mass_out);
+        const Tensor<1, dim> p         = momentum(view.points);
+        const Tensor<1, dim> remainder = p - flow.momentum_start -
+                                         flow.impulse - flow.momentum_in +
+                                         flow.momentum_out;
+        for (unsigned int d = 0; d < dim; ++d)
+          row.add(names[0][d], flow.momentum_in[d]);
+        for (unsigned int d = 0; d < dim; ++d)
+          row.add(names[1][d], flow.momentum_out[d]);
+        for (unsigned int d = 0; d < dim; ++d)
+          row.add(names[2][d], flow.impulse[d]);
+        for (unsigned int d = 0; d < dim; ++d)
+          row.add(names[3][d], remainder[d]);
+        row.add("Energy in (kJ)", view.energy.inflow);
+        row.add("Energy out (kJ)", view.energy.outflow);
+      }
+
+    private:
+      std::string names[4][dim];
+    };
   } // namespace
 
 
@@ -108,6 +161,7 @@ namespace Waker
     observers.push_back(std::make_unique<DykeObserver<dim>>());
     observers.push_back(std::make_unique<EnergyObserver<dim>>());
     observers.push_back(std::make_unique<ForceObserver<dim>>());
+    observers.push_back(std::make_unique<FlowObserver<dim>>());
     return observers;
   }
 

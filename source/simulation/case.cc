@@ -57,7 +57,8 @@ namespace Waker
            communicator)
     , materials(given_materials.empty() ? make_materials(p)
                                         : std::move(given_materials))
-    , fixities(grid, p.fixities)
+    , flow(grid, materials, p)
+    , fixities(grid, flow.conditions())
     , full_node_mass(largest_density(materials) *
                      std::pow(p.grid.cell_size, dim))
   {
@@ -70,6 +71,7 @@ namespace Waker
       }
     initial_points =
       make_material_points(grid, p.layers, p.points, names, densities);
+    flow.fill(initial_points);
     declare_material_variables(materials, initial_points);
     set_initial_state();
   }

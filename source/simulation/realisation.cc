@@ -123,6 +123,8 @@ namespace Waker
     energy.gravity_work += report.gravity_work;
     energy.water_work += report.water_work;
     energy.support_work += report.support_work;
+
+    the_case->flow.exchange(scene.nodes, report, dt, *state);
   }
 
 
@@ -143,7 +145,8 @@ namespace Waker
             state->failure,
             report,
             state->energy,
-            state->unconverged_steps};
+            state->unconverged_steps,
+            the_case->flow.is_used() ? &state->flow : nullptr};
   }
 
 

@@ -7,6 +7,7 @@
 #include <boost/archive/binary_oarchive.hpp>
 #include <boost/serialization/binary_object.hpp>
 #include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
 #include <sstream>
 
 namespace Waker
@@ -39,7 +40,7 @@ namespace Waker
                                           [&](const char *, auto &values) {
                                             array(archive, values);
                                           });
-      archive &state.time &state.step &state.energy &state.failure &state
+      archive &state.time &state.step &state.flow &state.energy &state.failure &state
         .rest &state.mean_plastic_strain &state.displacement_rate &state
         .last_dt &state.halvings &state.steps_since_change &state
         .newton_iterations &state.linear_iterations &state.unconverged_steps;
@@ -80,6 +81,7 @@ namespace Waker
     state.energy.elastic_start =
       elastic_energy(state.points, the_case.materials);
     state.energy.elastic = state.energy.elastic_start;
+    the_case.flow.start(state);
     return state;
   }
 

@@ -27,7 +27,8 @@ namespace Waker
    * The energy of a run, in kJ (per m in 2D), summed over its steps. Every
    * term is computed on its own, none as the rest of the others, so that
    *   kinetic + (elastic - elastic_start) + dissipation + ramp_work
-   *     + mapping_loss = gravity_work + water_work + support_work + remainder
+   *     + mapping_loss = gravity_work + water_work + support_work
+   *     + inflow - outflow + remainder
    * leaves a remainder that measures the method: the accuracy of Newton, the
    * trapezoidal rule in yielding points, the strain of mid-step.
    */
@@ -43,13 +44,15 @@ namespace Waker
     double gravity_work  = 0.; // potential energy released
     double water_work    = 0.;
     double support_work  = 0.;
+    double inflow        = 0.; // kinetic, of material that has entered
+    double outflow       = 0.; // kinetic and elastic, of what has left
 
     double
     remainder() const
     {
       return (kinetic - kinetic_start) + (elastic - elastic_start) +
              dissipation + ramp_work + mapping_loss - gravity_work -
-             water_work - support_work;
+             water_work - support_work - inflow + outflow;
     }
 
     template <typename Archive>
@@ -57,7 +60,8 @@ namespace Waker
     serialize(Archive &archive, const unsigned int)
     {
       archive &kinetic_start &elastic_start &kinetic &elastic &dissipation
-        &ramp_work &mapping_loss &gravity_work &water_work &support_work;
+        &ramp_work &mapping_loss &gravity_work &water_work &support_work &inflow
+          &outflow;
     }
   };
 } // namespace Waker

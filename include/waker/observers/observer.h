@@ -6,6 +6,7 @@
 #include <waker/mechanics/energy.h>
 #include <waker/mechanics/time_scheme.h>
 #include <waker/observers/failure_record.h>
+#include <waker/particles/flow_account.h>
 
 #include <cstdint>
 #include <memory>
@@ -37,6 +38,7 @@ namespace Waker
     const StepReport<dim>            &report;
     const EnergyAccount              &energy;
     std::uint64_t                     unconverged_steps;
+    const FlowAccount<dim>           *flow; // null without flow
   };
 
   /// Where an observer puts its numbers: one column each, the same every step.

@@ -9,6 +9,7 @@
 #include <waker/mechanics/stress_update.h>
 #include <waker/nodes/fixities.h>
 #include <waker/nodes/nodal_state.h>
+#include <waker/simulation/flow.h>
 #include <waker/simulation/parameters.h>
 
 namespace Waker
@@ -32,6 +33,7 @@ namespace Waker
     const Parameters          parameters;
     const BackgroundGrid<dim> grid;
     const Materials           materials;
+    const Flow<dim>           flow;
     const Fixities<dim>       fixities;
     const double              full_node_mass; // Mg, of a node inside the body
     MaterialPoints<dim>       initial_points;

@@ -5,6 +5,7 @@
 #include <waker/control/stop_rules.h>
 #include <waker/mechanics/energy.h>
 #include <waker/observers/failure_record.h>
+#include <waker/particles/flow_account.h>
 #include <waker/particles/material_points.h>
 
 #include <cstdint>
@@ -24,9 +25,10 @@ namespace Waker
     double              time = 0.; // s
     std::uint64_t       step = 0;  // steps done
 
-    EnergyAccount energy;
-    FailureRecord failure;
-    RestRecord    rest;
+    FlowAccount<dim> flow;
+    EnergyAccount    energy;
+    FailureRecord    failure;
+    RestRecord       rest;
 
     // Of the last step, for the stop rules.
     double mean_plastic_strain = 0.;
