@@ -14,6 +14,42 @@ namespace Waker
 
     /// A residual below this share of the terms it is made of is round-off.
     constexpr double round_off = 1e-13;
+
+    /// Added to a factorised stiffness, relative to its diagonal. Small next to
+    /// the softest motion that counts, the bending of a slender body: 1e-7.
+    constexpr double relative_shift = 1e-9;
+
+
+    /// A stiffness that conjugate gradients may try, though it is only nearly
+    /// symmetric.
+    class SymmetricOperator : public Operator
+    {
+    public:
+      explicit SymmetricOperator(const Operator &A)
+        : A(A)
+      {}
+
+      void
+      vmult(NodalVector &dst, const NodalVector &src) const override
+      {
+        A.vmult(dst, src);
+      }
+
+      void
+      add_diagonal(NodalVector &diagonal) const override
+      {
+        A.add_diagonal(diagonal);
+      }
+
+      bool
+      is_symmetric() const override
+      {
+        return true;
+      }
+
+    private:
+      const Operator &A;
+    };
   } // namespace
 
 
@@ -22,7 +58,8 @@ namespace Waker
                                   const Fixities<dim>    &fixities,
                                   const NewtonParameters &parameters,
                                   const double            full_node_mass,
-                                  const Springs          &springs)
+                                  const Springs          &springs,
+                                  const LinearMethod      method)
     : fixities(&fixities)
     , parameters(parameters)
     , full_node_mass(full_node_mass)
@@ -33,7 +70,12 @@ namespace Waker
     , reached(weights.background_grid())
     , R(weights.background_grid().n_dofs())
     , correction(weights.background_grid().n_dofs())
-  {}
+    , method(method)
+  {
+    if (dim == 2 && method == LinearMethod::direct)
+      direct_solver =
+        std::make_unique<DirectSolver<dim>>(weights.background_grid());
+  }
 
 
   template <int dim>
@@ -54,7 +96,8 @@ namespace Waker
         for (unsigned int c = 0; c < dim; ++c)
           {
             const std::size_t dof = dim * i + c;
-            r[dof] = inertia.ramp * (external[dof] - internal[dof]);
+            r[dof] =
+              inertia.ramp * (inertia.load * external[dof] - internal[dof]);
             if (q != nullptr)
               r[dof] -= nodes.mass[i] * (inertia.factor * u[dof] - q[dof]);
           }
@@ -78,11 +121,11 @@ namespace Waker
           const double share = std::min(1., mass * inverse_full);
           for (unsigned int c = 0; c < dim; ++c)
             {
-              const std::size_t dof = dim * i + c;
-              const double      square =
-                external[dof] * external[dof] + internal[dof] * internal[dof];
-              const double ku = mass * inertia.factor * u[dof];
-              const double mq = q != nullptr ? mass * q[dof] : 0.;
+              const std::size_t dof  = dim * i + c;
+              const double      load = inertia.load * external[dof];
+              const double square = load * load + internal[dof] * internal[dof];
+              const double ku     = mass * inertia.factor * u[dof];
+              const double mq     = q != nullptr ? mass * q[dof] : 0.;
               terms += share * (square + ku * ku + mq * mq);
               if (!removed[dof])
                 {
@@ -102,6 +145,45 @@ namespace Waker
 
 
   template <int dim>
+  LinearReport
+  NewtonSolver<dim>::solve_linear(const Operator   &stiffness,
+                                  const Inertia    &inertia,
+                                  const NodalState &nodes,
+                                  const bool        first,
+                                  const double      norm)
+  {
+    const SystemOperator system(stiffness,
+                                inertia.ramp,
+                                inertia.factor,
+                                nodes.mass,
+                                fixities->removed_list(),
+                                springs);
+    if (direct_solver)
+      {
+        direct_solver->factorise(system, relative_shift);
+        direct_solver->solve(correction, R);
+        return {1, true};
+      }
+    // The first tangent's diagonal preconditions all systems of the step.
+    if (first)
+      linear_solver.prepare(system);
+    // A correction need not be better than the convergence it leads to.
+    const double reduction =
+      std::min(std::max(parameters.linear_tolerance,
+                        linear_margin * parameters.tolerance / norm),
+               0.5);
+    if (method == LinearMethod::direct)
+      return linear_solver.solve(SymmetricOperator(system),
+                                 correction,
+                                 R,
+                                 reduction,
+                                 parameters.maximum_linear_iterations);
+    return linear_solver.solve(
+      system, correction, R, reduction, parameters.maximum_linear_iterations);
+  }
+
+
+  template <int dim>
   NewtonReport
   NewtonSolver<dim>::solve(const MaterialPoints<dim> &points,
                            const Inertia             &inertia,
@@ -113,13 +195,7 @@ namespace Waker
     const Operator &stiffness =
       use_consistent ? static_cast<const Operator &>(consistent)
                      : static_cast<const Operator &>(double_mapped);
-    const Weights<dim>  &weights = consistent.point_weights();
-    const SystemOperator system(stiffness,
-                                inertia.ramp,
-                                inertia.factor,
-                                nodes.mass,
-                                fixities->removed_list(),
-                                springs);
+    const Weights<dim> &weights = consistent.point_weights();
     reached.reinit(nodes.mass);
     R = 0.;
     NewtonReport report;
@@ -144,19 +220,8 @@ namespace Waker
           consistent.reinit(stress_update, points);
         else
           double_mapped.reinit(stress_update, points);
-        // The first tangent's diagonal preconditions all systems of the step.
-        if (report.iterations == 0)
-          linear_solver.prepare(system);
-        // A correction need not be better than the convergence it leads to.
-        const double reduction =
-          std::max(parameters.linear_tolerance,
-                   linear_margin * parameters.tolerance / norm);
         const LinearReport linear =
-          linear_solver.solve(system,
-                              correction,
-                              R,
-                              std::min(reduction, 0.5),
-                              parameters.maximum_linear_iterations);
+          solve_linear(stiffness, inertia, nodes, report.iterations == 0, norm);
         report.linear_iterations += linear.iterations;
         ++report.iterations;
         nodes.increment += correction;

@@ -21,7 +21,8 @@ namespace Waker
                       time_step,
                       "Time step of the Newmark scheme (s), above 0. The "
                       "accuracy suffers when a wave crosses more than a few "
-                      "cells in it; the run prints that number.",
+                      "cells in it; the run prints that number. Quasi-static: "
+                      "of the load steps.",
                       Patterns::Double(0.));
     prm.add_parameter("End time",
                       end_time,
@@ -30,7 +31,8 @@ namespace Waker
     prm.add_parameter("Ramp duration",
                       ramp_duration,
                       "The unbalanced force after the gravity step grows from "
-                      "nothing to full over this time (s). 0: at once.",
+                      "nothing to full over this time (s). 0: at once. Not for "
+                      "the quasi-static scheme.",
                       Patterns::Double(0.));
     prm.add_parameter("Maximum halvings",
                       maximum_halvings,
@@ -45,7 +47,8 @@ namespace Waker
     prm.add_parameter("Load duration",
                       load_duration,
                       "Quasi-static scheme: weight and loads grow from nothing "
-                      "to full over this time (s). 0: full from the start.",
+                      "to full over this time (s). 0: full from the start, as "
+                      "it must be after a gravity step.",
                       Patterns::Double(0.));
     prm.add_parameter("Move points",
                       move_points,
@@ -64,6 +67,10 @@ namespace Waker
       throw UserError("Time stepping/Ramp duration",
                       "is " + Patterns::Tools::to_string(ramp_duration) + " s",
                       "0 (no ramp) or a positive time");
+    if (!(load_duration >= 0.))
+      throw UserError("Time stepping/Load duration",
+                      "is " + Patterns::Tools::to_string(load_duration) + " s",
+                      "0 (full from the start) or a positive time");
     if (!(courant_number > 0. && courant_number <= 1.))
       throw UserError("Time stepping/Courant number",
                       "is " + Patterns::Tools::to_string(courant_number),

@@ -15,9 +15,11 @@ namespace Waker
       return make_newmark(input);
     if (input.time.scheme == "explicit")
       return make_explicit(input);
+    if (input.time.scheme == "quasi-static")
+      return make_quasi_static(input);
     throw UserError("Time stepping/Scheme",
                     "is \"" + input.time.scheme + "\"",
-                    "Newmark or explicit");
+                    "Newmark, explicit or quasi-static");
   }
 
 

@@ -3,6 +3,7 @@
 #define waker_mechanics_newton_h
 
 #include <waker/mechanics/consistent_tangent.h>
+#include <waker/mechanics/direct_solver.h>
 #include <waker/mechanics/double_mapped_tangent.h>
 #include <waker/mechanics/parameters.h>
 #include <waker/mechanics/stress_update.h>
@@ -10,6 +11,8 @@
 #include <waker/nodes/fixities.h>
 #include <waker/nodes/nodal_state.h>
 #include <waker/nodes/reached_nodes.h>
+
+#include <memory>
 
 namespace Waker
 {
@@ -23,9 +26,16 @@ namespace Waker
     std::vector<double> residuals;
   };
 
+  /// How Newton's linear systems are solved.
+  enum class LinearMethod
+  {
+    krylov, // GMRES (conjugate gradients if the tangent is symmetric)
+    direct  // 2D: a factorisation. 3D: conjugate gradients, then GMRES
+  };
+
   /**
    * Newton's method for the equations of a step,
-   *   R(u) = r (F_ext - F_int(u)) - M (k u - q) - springs (u - g) = 0,
+   *   R(u) = r (s F_ext - F_int(u)) - M (k u - q) - springs (u - g) = 0,
    * on the equations that are not removed (eq. 2.23 of Remmerswaal 2023).
    *
    * Convergence is measured by sqrt(sum_i phi_i |R_i|^2) relative to the same
@@ -41,18 +51,21 @@ namespace Waker
   public:
     /// All references must outlive this object.
     /// @param full_node_mass mass of a node inside the body (Mg)
+    /// @param method direct where there is no inertia to help a Krylov method
     NewtonSolver(const Weights<dim>     &weights,
                  const Fixities<dim>    &fixities,
                  const NewtonParameters &parameters,
                  const double            full_node_mass,
-                 const Springs          &springs);
+                 const Springs          &springs,
+                 const LinearMethod      method = LinearMethod::krylov);
 
-    /// The inertia term M (k u - q) and the ramp r.
+    /// The inertia term M (k u - q), the ramp r and the load factor s.
     struct Inertia
     {
       double             ramp    = 1.;
       double             factor  = 0.;      // k, 1/s^2
       const NodalVector *history = nullptr; // q, m/s^2
+      double             load    = 1.;
     };
 
     /**
@@ -75,6 +88,14 @@ namespace Waker
              const std::vector<double> &spring_targets,
              const NodalState          &nodes);
 
+    /// One linear system, after the tangent has been linearised.
+    LinearReport
+    solve_linear(const Operator   &stiffness,
+                 const Inertia    &inertia,
+                 const NodalState &nodes,
+                 const bool        first,
+                 const double      norm);
+
     const Fixities<dim>     *fixities;
     NewtonParameters         parameters;
     double                   full_node_mass;
@@ -85,6 +106,9 @@ namespace Waker
     ReachedNodes             reached;
     NodalVector              R;
     NodalVector              correction;
+    LinearMethod             method;
+    /// Only with LinearMethod::direct in 2D.
+    std::unique_ptr<DirectSolver<dim>> direct_solver;
   };
 } // namespace Waker
 

@@ -108,7 +108,21 @@ namespace Waker
   std::unique_ptr<TimeScheme<dim>>
   make_explicit(const SchemeInput<dim> &input);
 
-  /// By name: "Newmark" or "explicit".
+  /**
+   * Quasi-static load steps, F_ext - F_int(u) = 0 at the end of each. The time
+   * is that of the load: weight and loads are multiplied with
+   * min(1, t / TimeParameters::load_duration). The points get the velocity of
+   * their displacement, which counts for nothing: there is no inertia.
+   *
+   * Energy: the works are those of the mean of the forces at the start and the
+   * end of a step; `mapping_loss` is that of the imbalance which the points'
+   * new places leave at its start.
+   */
+  template <int dim>
+  std::unique_ptr<TimeScheme<dim>>
+  make_quasi_static(const SchemeInput<dim> &input);
+
+  /// By name: "Newmark", "explicit" or "quasi-static".
   template <int dim>
   std::unique_ptr<TimeScheme<dim>>
   make_time_scheme(const SchemeInput<dim> &input);
