@@ -50,11 +50,10 @@ namespace Waker
     }
   };
 
-  /// Cut the boxes at the closed faces; those that vanish are removed.
+  /// Cut a box at the closed faces. False if nothing is left of it.
   template <int dim>
-  void
-  cut_at_closed_faces(const BoxUnionRules<dim> &rules,
-                      std::vector<Box<dim>>    &boxes);
+  bool
+  cut_at_closed_faces(const BoxUnionRules<dim> &rules, Box<dim> &box);
 
   /// Smallest extent of a box in each direction (m).
   template <int dim>

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_boundary_box_union_coverage_h
+#define waker_boundary_box_union_coverage_h
+
+#include <waker/boundary/box_union.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace Waker
+{
+  /**
+   * Which blocks of space boxes certainly cover once their gaps are filled, so
+   * that the search for the contour can skip them.
+   *
+   * A block has 8^dim small cells, a box of the smallest size four in each
+   * direction: with two boxes per cell of a grid, the blocks are the grid's
+   * cells. The cells that single boxes cover are marked as bits, and gaps in
+   * rows of bits are filled along x, then z, then y, if they have at most as
+   * many bits as fit into the minimum gap. Both steps err on the open side
+   * only. A block of which all bits are set is covered.
+   *
+   * Let S be the filled body by the slab method, X its slabs before vertical
+   * gaps are filled and C the covered blocks. C lies in S: a horizontal gap of
+   * bits that is filled contains no gap of the boxes wider than W_min, which
+   * the left extensions fill; a vertical one no gap higher than H_min. The
+   * contour of the boxes that touch, by themselves or with their extensions, a
+   * block that is not covered, together with C, is that of all boxes: slab by
+   * slab, from the left, the restricted X agrees with X outside C and with C
+   * lies between X and S = fill(X), and what lies between them is filled to S.
+   */
+  template <int dim>
+  class BlockCoverage
+  {
+  public:
+    void
+    reinit(const std::vector<Box<dim>> &boxes, const BoxUnionRules<dim> &rules);
+
+    /// Does the box, as far as it lies within the closed faces, touch a block
+    /// that is not covered?
+    bool
+    touches_open_block(const Box<dim> &box) const;
+
+    /// The covered blocks, those in a row along x as one box.
+    void
+    append_covered_rows(std::vector<Box<dim>> &rows) const;
+
+    using Index = std::array<int, dim>;
+
+    const Index &
+    n_blocks() const
+    {
+      return n;
+    }
+
+    bool
+    is_covered(const Index &index) const
+    {
+      return covered[number(index)];
+    }
+
+    /// The place of a block.
+    Box<dim>
+    block(const Index &index) const;
+
+    /// The first and last block that a box touches.
+    void
+    touched_blocks(const Box<dim> &box, Index &first, Index &last) const;
+
+  private:
+    std::size_t
+    number(const Index &index) const
+    {
+      std::size_t i = index[dim - 1];
+      for (int d = dim - 2; d >= 0; --d)
+        i = i * n[d] + index[d];
+      return i;
+    }
+
+    void
+    choose_lattice(const std::vector<Box<dim>> &boxes);
+
+    void
+    mark(const std::vector<Box<dim>> &boxes);
+
+    void
+    mark_beyond_closed_faces();
+
+    // Set the zeros in rows of at most `gap` between ones.
+    void
+    fill_along_x(const unsigned int gap);
+
+    void
+    fill_along(const unsigned int direction, const unsigned int gap);
+
+    void
+    find_covered_blocks();
+
+    static constexpr int bits_per_block = 8;
+
+    BoxUnionRules<dim>   rules;
+    Point<dim>           origin;
+    Tensor<1, dim>       cell; // extent of a small cell, m
+    Index                n;    // blocks
+    std::size_t          words_per_row;
+    std::array<int, dim> n_lines; // small cells
+
+    // Bits of the small cells, x fastest, each row in whole words.
+    std::vector<std::uint64_t> bits;
+    std::vector<std::uint64_t> dilated;
+    std::vector<unsigned char> covered; // blocks, x fastest
+  };
+} // namespace Waker
+
+#endif
