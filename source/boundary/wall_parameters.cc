@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/parameter_handler.h>
 
+#include <waker/base/checks.h>
 #include <waker/base/errors.h>
+#include <waker/base/text.h>
 #include <waker/boundary/wall_parameters.h>
 
 namespace Waker
@@ -37,6 +39,13 @@ namespace Waker
   void
   WallParameters::check(const unsigned int dim) const
   {
-    (void)dim;
+    const std::string path = "Walls/" + name + "/";
+    const std::size_t n    = split(displacement, ';').size();
+    if (n != 0 && n != dim)
+      throw UserError(path + "Displacement",
+                      "has " + std::to_string(n) + " parts",
+                      std::to_string(dim) +
+                        ", separated by semicolons, or nothing");
+    require_positive(path + "Penalty factor", penalty_factor);
   }
 } // namespace Waker

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/mechanics/newton.h>
+#include <waker/mechanics/walled_operator.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace Waker
 {
@@ -59,7 +61,8 @@ namespace Waker
                                   const NewtonParameters &parameters,
                                   const double            full_node_mass,
                                   const Springs          &springs,
-                                  const LinearMethod      method)
+                                  const LinearMethod      method,
+                                  const Walls<dim>       *walls)
     : fixities(&fixities)
     , parameters(parameters)
     , full_node_mass(full_node_mass)
@@ -71,6 +74,7 @@ namespace Waker
     , R(weights.background_grid().n_dofs())
     , correction(weights.background_grid().n_dofs())
     , method(method)
+    , walls(walls)
   {
     if (dim == 2 && method == LinearMethod::direct)
       direct_solver =
@@ -152,7 +156,11 @@ namespace Waker
                                   const bool        first,
                                   const double      norm)
   {
-    const SystemOperator system(stiffness,
+    std::optional<WalledOperator<dim>> walled;
+    if (walls != nullptr)
+      walled.emplace(stiffness, *walls);
+    const SystemOperator system(walled ? static_cast<const Operator &>(*walled)
+                                       : stiffness,
                                 inertia.ramp,
                                 inertia.factor,
                                 nodes.mass,
@@ -205,6 +213,8 @@ namespace Waker
                                weights,
                                nodes.increment,
                                nodes.internal_force);
+        if (walls != nullptr)
+          walls->add_internal_force(nodes.increment, nodes.internal_force);
         const double norm = residual(inertia, spring_targets, nodes);
         report.residuals.push_back(norm);
         if (norm <= parameters.tolerance)

@@ -2,6 +2,7 @@
 #ifndef waker_mechanics_newton_h
 #define waker_mechanics_newton_h
 
+#include <waker/boundary/wall.h>
 #include <waker/mechanics/consistent_tangent.h>
 #include <waker/mechanics/direct_solver.h>
 #include <waker/mechanics/double_mapped_tangent.h>
@@ -37,6 +38,8 @@ namespace Waker
    * Newton's method for the equations of a step,
    *   R(u) = r (s F_ext - F_int(u)) - M (k u - q) - springs (u - g) = 0,
    * on the equations that are not removed (eq. 2.23 of Remmerswaal 2023).
+   * The force of walls off the grid counts with F_int, and is left in the nodes'
+   * internal force.
    *
    * Convergence is measured by sqrt(sum_i phi_i |R_i|^2) relative to the same
    * norm of the external, internal and inertial forces, where phi_i = m_i / m
@@ -51,13 +54,15 @@ namespace Waker
   public:
     /// All references must outlive this object.
     /// @param full_node_mass mass of a node inside the body (Mg)
+    /// @param walls off the grid, in contact as of the step; null: none
     /// @param method direct where there is no inertia to help a Krylov method
     NewtonSolver(const Weights<dim>     &weights,
                  const Fixities<dim>    &fixities,
                  const NewtonParameters &parameters,
                  const double            full_node_mass,
                  const Springs          &springs,
-                 const LinearMethod      method = LinearMethod::krylov);
+                 const LinearMethod      method = LinearMethod::krylov,
+                 const Walls<dim>       *walls  = nullptr);
 
     /// The inertia term M (k u - q), the ramp r and the load factor s.
     struct Inertia
@@ -107,6 +112,7 @@ namespace Waker
     NodalVector              R;
     NodalVector              correction;
     LinearMethod             method;
+    const Walls<dim>        *walls;
     /// Only with LinearMethod::direct in 2D.
     std::unique_ptr<DirectSolver<dim>> direct_solver;
   };

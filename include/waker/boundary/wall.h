@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_boundary_wall_h
+#define waker_boundary_wall_h
+
+#include <waker/base/expression.h>
+#include <waker/boundary/wall_parameters.h>
+#include <waker/grid/background_grid.h>
+#include <waker/nodes/nodal_vector.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace Waker
+{
+  /**
+   * Walls and rigid footings off the grid: displacements that are prescribed on
+   * a surface which crosses the cells.
+   *
+   * A wall is a bed of springs between soil and wall, of stiffness
+   * k = f (K + 4G/3) / h per area, f the penalty factor, in all directions
+   * (rough) or along the normal (smooth). Weak form: the sum over the spots q,
+   * small pieces of the wall that move with it, of
+   *   N_i(x_q) (t_q - k (sum_j N_j(x_q) u_j - g)) A_q,
+   * u and g the displacements of soil and wall in the step. The traction t_q
+   * is carried from step to step: t_q <- t_q - k (sum_j N_j u_j - g), so that a
+   * loaded wall does not creep. A wall holds: soil that touches it can be
+   * pulled.
+   *
+   * A spot acts where there is soil: if the share of a full node's mass, the
+   * nodes' linear interpolation, is at least contact_share: 1/2 on a flat
+   * surface, 1/4 at a corner of 90 degrees. Where it is not, its traction is
+   * forgotten.
+   *
+   * A node that the soil hardly touches (less than weak_share) would give way
+   * to any force, and the wall would hold nothing. Its displacement is
+   * therefore taken to be the linear continuation of those of the next two
+   * nodes inwards, and its force goes to them: resultant, moment and linear
+   * fields are kept.
+   *
+   * Work space: made once, used in every step.
+   */
+  template <int dim>
+  class Walls
+  {
+  public:
+    static constexpr double contact_share = 0.25;
+    static constexpr double weak_share    = 0.02;
+
+    /// What a wall carries from step to step, and a state keeps: tractions on
+    /// the soil (kPa) in all spots.
+    using Tractions = std::vector<Tensor<1, dim>>;
+
+    /**
+     * @param modulus the stiffest K + 4G/3 (kPa)
+     * @param full_node_mass mass of a node inside the body (Mg)
+     * @throws UserError "Walls/<name>/..."
+     */
+    Walls(const BackgroundGrid<dim>         &grid,
+          const std::vector<WallParameters> &parameters,
+          const double                       modulus,
+          const double                       full_node_mass);
+
+    bool
+    empty() const
+    {
+      return spots.empty();
+    }
+
+    std::size_t
+    n_spots() const
+    {
+      return spots.size();
+    }
+
+    /// Where the walls stand at time t (s) and which of their spots touch soil.
+    /// @param tractions of the spots; those without contact are set to zero
+    void
+    reinit(const std::vector<double> &node_mass,
+           const double               t,
+           Tractions                 &tractions);
+
+    /// The step from t to t + dt, in which the walls move from u(t) to
+    /// u(t + dt). Without it they stand still.
+    void
+    set_step(const double t, const double dt);
+
+    /// internal -= the force of the walls for an increment (kN)
+    void
+    add_internal_force(const NodalVector &increment,
+                       NodalVector       &internal) const;
+
+    /// dst += K src
+    void
+    vmult_add(NodalVector &dst, const NodalVector &src) const;
+
+    void
+    add_diagonal(NodalVector &diagonal) const;
+
+    /// f(i, j, K_ij) for the nodes that a spot couples: no further apart than
+    /// two cells in any direction.
+    void
+    for_each_block(const std::function<void(const unsigned int,
+                                            const unsigned int,
+                                            const Tensor<2, dim> &)> &f) const;
+
+    /// Forces on the soil times its displacement in the step (kJ).
+    struct Work
+    {
+      double start = 0.; // of the forces at its start
+      double end   = 0.; // at its end
+    };
+
+    Work
+    work(const NodalVector &increment) const;
+
+    /// Take the tractions at the end of a step.
+    /// @return the force on the soil (kN)
+    Tensor<1, dim>
+    accept(const NodalVector &increment, Tractions &tractions) const;
+
+    /// Force of the wall of this number on the soil, with these tractions (kN).
+    Tensor<1, dim>
+    force(const unsigned int wall, const Tractions &tractions) const;
+
+    /// A piece of a wall.
+    struct Spot
+    {
+      unsigned int   wall;      // number
+      Point<dim>     reference; // place at t = 0, m
+      Point<dim>     position;  // m
+      Tensor<1, dim> normal;    // into the soil
+      double         area;      // m^(dim-1)
+      bool           touches;   // soil
+    };
+
+    const std::vector<Spot> &
+    all_spots() const
+    {
+      return spots;
+    }
+
+    const std::vector<std::string> &
+    names() const
+    {
+      return wall_names;
+    }
+
+  private:
+    struct Wall
+    {
+      bool                         smooth;
+      double                       stiffness; // k, kPa/m
+      std::vector<Expression<dim>> motion;    // none: at rest
+      Tensor<1, dim>               target;    // g of the step, m
+    };
+
+    /// A spot with soil: its nodes are nodes[begin..end).
+    struct Contact
+    {
+      std::size_t    spot;
+      std::size_t    begin, end;
+      Tensor<1, dim> traction; // at the start of the step, kPa
+    };
+
+    /// Displacement of a wall at t (m).
+    Tensor<1, dim>
+    displacement(const Wall &wall, const double t) const;
+
+    /// Append the nodes and weights of a spot. False if it has no soil.
+    bool
+    find_nodes(const Spot &spot, const std::vector<double> &node_mass);
+
+    /// Give the weight of a node with hardly any mass to those behind it.
+    void
+    hand_inwards(const unsigned int         node,
+                 const unsigned int         corner,
+                 const double               weight,
+                 const Spot                &spot,
+                 const std::vector<double> &node_mass);
+
+    /// sum_i N_i u_i
+    Tensor<1, dim>
+    value(const Contact &contact, const NodalVector &u) const;
+
+    /// What springs of unit stiffness answer to a displacement.
+    Tensor<1, dim>
+    held(const Spot &spot, const Tensor<1, dim> &u) const;
+
+    /// Traction at the end of the step (kPa).
+    Tensor<1, dim>
+    traction(const Contact &contact, const NodalVector &increment) const;
+
+    const BackgroundGrid<dim> *grid;
+    double                     full_node_mass;
+    std::vector<std::string>   wall_names;
+    std::vector<Wall>          walls;
+    std::vector<Spot>          spots;
+    std::vector<Contact>       contacts;
+    std::vector<unsigned int>  nodes;   // of the contacts
+    std::vector<double>        weights; // likewise
+  };
+} // namespace Waker
+
+#endif

@@ -1,0 +1,386 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/errors.h>
+#include <waker/base/text.h>
+#include <waker/boundary/wall.h>
+#include <waker/boundary/wall_spots.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Waker
+{
+  namespace
+  {
+    /// Spots per cell and direction.
+    constexpr double spots_per_cell = 4.;
+
+
+    template <int dim>
+    std::vector<Expression<dim>>
+    read_motion(const WallParameters &wall, const double h)
+    {
+      const std::string path = "Walls/" + wall.name + "/Displacement";
+      std::vector<Expression<dim>> motion;
+      for (const std::string &text : split(wall.displacement, ';'))
+        {
+          motion.emplace_back(text, path);
+          const Expression<dim> &u = motion.back();
+          if (!u.is_uniform())
+            throw UserError(path,
+                            "\"" + text + "\" depends on the place",
+                            "expressions of t: a wall is rigid");
+          if (!(std::abs(u.value(Point<dim>(), 0.)) <= 1e-9 * h))
+            throw UserError(path,
+                            "\"" + text + "\" is not 0 at t = 0",
+                            "displacements that start at 0");
+        }
+      return motion;
+    }
+  } // namespace
+
+
+  template <int dim>
+  Walls<dim>::Walls(const BackgroundGrid<dim>         &grid,
+                    const std::vector<WallParameters> &parameters,
+                    const double                       modulus,
+                    const double                       full_node_mass)
+    : grid(&grid)
+    , full_node_mass(full_node_mass)
+  {
+    const double h = grid.cell_size();
+    for (const WallParameters &p : parameters)
+      {
+        const std::string path = "Walls/" + p.name + "/Line";
+        for (const WallSpot<dim> &spot :
+             make_wall_spots<dim>(p.line, h / spots_per_cell, path))
+          {
+            if (!grid.contains(spot.x))
+              throw UserError(path,
+                              "the wall leaves the grid",
+                              "corners inside the grid and its margin");
+            spots.push_back({static_cast<unsigned int>(walls.size()),
+                             spot.x,
+                             spot.x,
+                             spot.normal,
+                             spot.area,
+                             false});
+          }
+        wall_names.push_back(p.name);
+        walls.push_back({p.type == "smooth",
+                         p.penalty_factor * modulus / h,
+                         read_motion<dim>(p, h),
+                         Tensor<1, dim>()});
+      }
+  }
+
+
+  template <int dim>
+  Tensor<1, dim>
+  Walls<dim>::displacement(const Wall &wall, const double t) const
+  {
+    Tensor<1, dim> u;
+    for (unsigned int d = 0; d < wall.motion.size(); ++d)
+      {
+        u[d] = wall.motion[d].value(Point<dim>(), t);
+        if (!std::isfinite(u[d]))
+          throw NumericalFailure(
+            "The displacement of a wall, \"" + wall.motion[d].text() +
+            "\", is no finite number at t = " + std::to_string(t) + " s.");
+      }
+    return u;
+  }
+
+
+  template <int dim>
+  void
+  Walls<dim>::reinit(const std::vector<double> &node_mass,
+                     const double               t,
+                     Tractions                 &tractions)
+  {
+    AssertDimension(tractions.size(), spots.size());
+    contacts.clear();
+    nodes.clear();
+    weights.clear();
+    for (Wall &wall : walls)
+      wall.target = displacement(wall, t); // of the whole wall, here
+    for (std::size_t q = 0; q < spots.size(); ++q)
+      {
+        Spot &spot       = spots[q];
+        spot.position    = spot.reference + walls[spot.wall].target;
+        const auto begin = nodes.size();
+        spot.touches     = find_nodes(spot, node_mass);
+        if (spot.touches)
+          contacts.push_back({q, begin, nodes.size(), tractions[q]});
+        else
+          tractions[q] = Tensor<1, dim>();
+      }
+    for (Wall &wall : walls)
+      wall.target = Tensor<1, dim>();
+  }
+
+
+  template <int dim>
+  bool
+  Walls<dim>::find_nodes(const Spot &spot, const std::vector<double> &node_mass)
+  {
+    constexpr unsigned int n_corners = 1 << dim;
+    if (!grid->contains(spot.position))
+      return false;
+    auto   cell = grid->cell_index(spot.position);
+    double local[dim];
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        const int last = grid->n_nodes_per_direction()[d] - 2;
+        cell[d]        = std::clamp(cell[d], 0, last);
+        local[d] =
+          (spot.position[d] - grid->origin()[d]) * grid->inverse_cell_size() -
+          cell[d];
+      }
+    const unsigned int base = grid->node(cell);
+    unsigned int       corner_node[n_corners];
+    double             N[n_corners], share = 0.;
+    for (unsigned int c = 0; c < n_corners; ++c)
+      {
+        corner_node[c] = base;
+        N[c]           = 1.;
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            const bool upper = c >> d & 1;
+            corner_node[c] += upper ? grid->stride(d) : 0;
+            N[c] *= upper ? local[d] : 1. - local[d];
+          }
+        share +=
+          N[c] * std::min(1., node_mass[corner_node[c]] / full_node_mass);
+      }
+    if (!(share >= contact_share))
+      return false;
+    for (unsigned int c = 0; c < n_corners; ++c)
+      if (N[c] != 0.)
+        {
+          if (node_mass[corner_node[c]] >= weak_share * full_node_mass)
+            {
+              nodes.push_back(corner_node[c]);
+              weights.push_back(N[c]);
+            }
+          else
+            hand_inwards(corner_node[c], c, N[c], spot, node_mass);
+        }
+    return true;
+  }
+
+
+  template <int dim>
+  void
+  Walls<dim>::hand_inwards(const unsigned int         node,
+                           const unsigned int         corner,
+                           const double               weight,
+                           const Spot                &spot,
+                           const std::vector<double> &node_mass)
+  {
+    // Steps into the cell and along the normal, so that all nodes of a spot
+    // lie within two cells of each other.
+    double best[2] = {-1., -1.};
+    int    step[2] = {0, 0}; // with two nodes in reach, with one
+    for (unsigned int way = 1; way < 1 << dim; ++way)
+      {
+        int          stride  = 0;
+        double       along   = 0.;
+        unsigned int n       = 0;
+        bool         allowed = true;
+        for (unsigned int d = 0; d < dim; ++d)
+          if (way >> d & 1)
+            {
+              const int sign = corner >> d & 1 ? -1 : 1;
+              stride += sign * static_cast<int>(grid->stride(d));
+              along += sign * spot.normal[d];
+              allowed = allowed && sign * spot.normal[d] >= 0.;
+              ++n;
+            }
+        if (!allowed)
+          continue;
+        along /= std::sqrt(n);
+        const auto is_strong = [&](const int steps) {
+          const long other = static_cast<long>(node) + steps * stride;
+          return other >= 0 && other < static_cast<long>(node_mass.size()) &&
+                 node_mass[other] >= weak_share * full_node_mass;
+        };
+        if (!is_strong(1))
+          continue;
+        for (const unsigned int one : {0u, 1u})
+          if (along > best[one] && (one || is_strong(2)))
+            {
+              best[one] = along;
+              step[one] = stride;
+            }
+      }
+    const auto add = [&](const int offset, const double w) {
+      nodes.push_back(node + offset);
+      weights.push_back(w);
+    };
+    if (step[0] != 0)
+      {
+        add(step[0], 2. * weight);
+        add(2 * step[0], -weight);
+      }
+    else
+      add(step[1], weight); // or the node itself, if it is alone
+  }
+
+
+  template <int dim>
+  void
+  Walls<dim>::set_step(const double t, const double dt)
+  {
+    for (Wall &wall : walls)
+      wall.target = displacement(wall, t + dt) - displacement(wall, t);
+  }
+
+
+  template <int dim>
+  Tensor<1, dim>
+  Walls<dim>::value(const Contact &contact, const NodalVector &u) const
+  {
+    Tensor<1, dim> sum;
+    for (std::size_t k = contact.begin; k < contact.end; ++k)
+      for (unsigned int c = 0; c < dim; ++c)
+        sum[c] += weights[k] * u.begin()[dim * nodes[k] + c];
+    return sum;
+  }
+
+
+  template <int dim>
+  Tensor<1, dim>
+  Walls<dim>::held(const Spot &spot, const Tensor<1, dim> &u) const
+  {
+    return walls[spot.wall].smooth ? (spot.normal * u) * spot.normal : u;
+  }
+
+
+  template <int dim>
+  Tensor<1, dim>
+  Walls<dim>::traction(const Contact     &contact,
+                       const NodalVector &increment) const
+  {
+    const Spot &spot = spots[contact.spot];
+    const Wall &wall = walls[spot.wall];
+    return contact.traction -
+           wall.stiffness * held(spot, value(contact, increment) - wall.target);
+  }
+
+
+  template <int dim>
+  void
+  Walls<dim>::add_internal_force(const NodalVector &increment,
+                                 NodalVector       &internal) const
+  {
+    for (const Contact &contact : contacts)
+      {
+        const Tensor<1, dim> f =
+          spots[contact.spot].area * traction(contact, increment);
+        for (std::size_t k = contact.begin; k < contact.end; ++k)
+          for (unsigned int c = 0; c < dim; ++c)
+            internal.begin()[dim * nodes[k] + c] -= weights[k] * f[c];
+      }
+  }
+
+
+  template <int dim>
+  void
+  Walls<dim>::vmult_add(NodalVector &dst, const NodalVector &src) const
+  {
+    for (const Contact &contact : contacts)
+      {
+        const Spot          &spot = spots[contact.spot];
+        const Tensor<1, dim> f    = walls[spot.wall].stiffness * spot.area *
+                                 held(spot, value(contact, src));
+        for (std::size_t k = contact.begin; k < contact.end; ++k)
+          for (unsigned int c = 0; c < dim; ++c)
+            dst.begin()[dim * nodes[k] + c] += weights[k] * f[c];
+      }
+  }
+
+
+  template <int dim>
+  void
+  Walls<dim>::for_each_block(
+    const std::function<
+      void(const unsigned int, const unsigned int, const Tensor<2, dim> &)> &f)
+    const
+  {
+    for (const Contact &contact : contacts)
+      {
+        const Spot    &spot = spots[contact.spot];
+        Tensor<2, dim> K;
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            Tensor<1, dim> e;
+            e[d]                     = 1.;
+            const Tensor<1, dim> row = held(spot, e);
+            for (unsigned int c = 0; c < dim; ++c)
+              K[d][c] = walls[spot.wall].stiffness * spot.area * row[c];
+          }
+        for (std::size_t i = contact.begin; i < contact.end; ++i)
+          for (std::size_t j = contact.begin; j < contact.end; ++j)
+            f(nodes[i], nodes[j], weights[i] * weights[j] * K);
+      }
+  }
+
+
+  template <int dim>
+  void
+  Walls<dim>::add_diagonal(NodalVector &diagonal) const
+  {
+    for_each_block(
+      [&](const unsigned int i, const unsigned int j, const Tensor<2, dim> &K) {
+        if (i == j)
+          for (unsigned int c = 0; c < dim; ++c)
+            diagonal.begin()[dim * i + c] += K[c][c];
+      });
+  }
+
+
+  template <int dim>
+  typename Walls<dim>::Work
+  Walls<dim>::work(const NodalVector &increment) const
+  {
+    Work sum;
+    for (const Contact &contact : contacts)
+      {
+        const Tensor<1, dim> du =
+          spots[contact.spot].area * value(contact, increment);
+        sum.start += contact.traction * du;
+        sum.end += traction(contact, increment) * du;
+      }
+    return sum;
+  }
+
+
+  template <int dim>
+  Tensor<1, dim>
+  Walls<dim>::accept(const NodalVector &increment, Tractions &tractions) const
+  {
+    Tensor<1, dim> force;
+    for (const Contact &contact : contacts)
+      {
+        tractions[contact.spot] = traction(contact, increment);
+        force += spots[contact.spot].area * tractions[contact.spot];
+      }
+    return force;
+  }
+
+
+  template <int dim>
+  Tensor<1, dim>
+  Walls<dim>::force(const unsigned int wall, const Tractions &tractions) const
+  {
+    Tensor<1, dim> sum;
+    for (std::size_t q = 0; q < spots.size(); ++q)
+      if (spots[q].wall == wall)
+        sum += spots[q].area * tractions[q];
+    return sum;
+  }
+
+
+  template class Walls<2>;
+  template class Walls<3>;
+} // namespace Waker
