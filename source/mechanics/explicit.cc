@@ -16,7 +16,7 @@ namespace Waker
     public:
       explicit Explicit(const SchemeInput<dim> &in)
         : in(in)
-        , stress_update(in.materials, in.objective_rate)
+        , stress_update(in.materials, in.objective_rate, in.logarithmic)
         , springs(make_springs(in.fixities,
                                stiffest_modulus(in.materials),
                                in.grid.cell_size()))

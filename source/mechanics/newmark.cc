@@ -14,11 +14,17 @@ namespace Waker
     public:
       explicit Newmark(const SchemeInput<dim> &in)
         : in(in)
-        , stress_update(in.materials, in.objective_rate)
+        , stress_update(in.materials, in.objective_rate, in.logarithmic)
         , springs(make_springs(in.fixities,
                                stiffest_modulus(in.materials),
                                in.grid.cell_size()))
-        , newton(in.weights, in.fixities, in.newton, in.full_node_mass, springs)
+        , newton(in.weights,
+                 in.fixities,
+                 in.newton,
+                 in.full_node_mass,
+                 springs,
+                 LinearMethod::krylov,
+                 in.walls)
         , reached(in.grid)
         , history(in.grid.n_dofs())
       {}
@@ -163,18 +169,24 @@ namespace Waker
           }
       report.water_work = external_work - report.gravity_work;
 
+      typename Walls<dim>::Work wall;
+      if (in.walls != nullptr)
+        wall = in.walls->work(nodes.increment);
+
       const double r_start = residual_ramp(t, in.time.ramp_duration);
       const double r_end   = residual_ramp(t + dt, in.time.ramp_duration);
       report.ramp_work =
-        0.5 * ((1. - r_start) * (external_work - stress.work_start) +
-               (1. - r_end) * (external_work - stress.work_end));
+        0.5 *
+        ((1. - r_start) * (external_work + wall.start - stress.work_start) +
+         (1. - r_end) * (external_work + wall.end - stress.work_end));
       // What the way from points to nodes and back takes: kinetic energy, and
       // the work that the force at the start would have done over the work of
       // the acceleration that the nodes were given instead.
       report.mapping_loss =
         (moved.kinetic_before - kinetic_before) +
         (kinetic_after - report.kinetic_energy) +
-        0.5 * (r_start * (external_work - stress.work_start) - inertia_work);
+        0.5 * (r_start * (external_work + wall.start - stress.work_start) -
+               inertia_work);
 
       const double *const new_a = nodes.new_acceleration.begin();
       for (const unsigned int dof : in.fixities.removed_list())

@@ -26,7 +26,8 @@ namespace Waker
                       Patterns::Double(0.));
     prm.add_parameter("End time",
                       end_time,
-                      "Time at which a run ends at the latest (s), above 0.",
+                      "Time at which a run ends at the latest (s). 0: write the "
+                      "state at the start and stop.",
                       Patterns::Double(0.));
     prm.add_parameter("Ramp duration",
                       ramp_duration,
@@ -62,7 +63,10 @@ namespace Waker
   TimeParameters::check() const
   {
     require_positive("Time stepping/Time step", time_step);
-    require_positive("Time stepping/End time", end_time);
+    if (!(end_time >= 0.))
+      throw UserError("Time stepping/End time",
+                      "is " + Patterns::Tools::to_string(end_time) + " s",
+                      "0 or a positive time");
     if (!(ramp_duration >= 0.))
       throw UserError("Time stepping/Ramp duration",
                       "is " + Patterns::Tools::to_string(ramp_duration) + " s",
@@ -201,5 +205,42 @@ namespace Waker
                       "the deformation of the points (needs Strain = "
                       "logarithmic).",
                       Patterns::Selection("constant|stretched"));
+  }
+
+
+  void
+  MappingParameters::check() const
+  {
+    if (domains == "stretched" && functions != "GIMP")
+      throw UserError("Kinematics and mapping/Domains",
+                      "is stretched, but linear functions have no support "
+                      "domains",
+                      "constant, or Functions = GIMP");
+    if (domains == "stretched" && strain != "logarithmic")
+      throw UserError("Kinematics and mapping/Domains",
+                      "is stretched, but the deformation is only followed with "
+                      "logarithmic strain",
+                      "constant, or Strain = logarithmic");
+  }
+
+
+  void
+  check_time_scheme(const TimeParameters    &time,
+                    const GravityParameters &gravity,
+                    const MappingParameters &mapping)
+  {
+    if (time.scheme != "quasi-static")
+      return;
+    if (time.load_duration > 0. && gravity.initial_stress)
+      throw UserError("Time stepping/Load duration",
+                      "is " + Patterns::Tools::to_string(time.load_duration) +
+                        " s, but the gravity step applies the full weight and "
+                        "water at once",
+                      "0, or Gravity/Initial stress = false");
+    if (!time.move_points && mapping.strain == "logarithmic")
+      throw UserError("Time stepping/Move points",
+                      "is false, but logarithmic strain is that of a body that "
+                      "moves",
+                      "true, or Kinematics and mapping/Strain = step");
   }
 } // namespace Waker

@@ -15,7 +15,7 @@ namespace Waker
     public:
       explicit QuasiStatic(const SchemeInput<dim> &in)
         : in(in)
-        , stress_update(in.materials, in.objective_rate)
+        , stress_update(in.materials, in.objective_rate, in.logarithmic)
         , springs(make_springs(in.fixities,
                                stiffest_modulus(in.materials),
                                in.grid.cell_size()))
@@ -24,7 +24,8 @@ namespace Waker
                  in.newton,
                  in.full_node_mass,
                  springs,
-                 LinearMethod::direct)
+                 LinearMethod::direct,
+                 in.walls)
         , reached(in.grid)
         , start_force(in.grid.n_dofs())
         , last_load(in.grid.n_dofs())
@@ -101,6 +102,8 @@ namespace Waker
 
       nodes.increment = 0.;
       stress_update.evaluate(points, weights, nodes.increment, start_force);
+      if (in.walls != nullptr)
+        in.walls->add_start_force(start_force);
 
       const auto &removed = in.fixities.removed_list();
       for (std::size_t k = 0; k < removed.size(); ++k)

@@ -17,6 +17,17 @@ namespace Waker
     }
 
 
+    /// Stress of the point l of a block.
+    SymmetricTensor<2, 3>
+    block_stress(const Material::Block &block, const unsigned int l)
+    {
+      SymmetricTensor<2, 3> stress;
+      for (unsigned int a = 0; a < 6; ++a)
+        stress.access_raw_entry(a) = block.stress[a][l];
+      return stress;
+    }
+
+
     /// Elastic energy per volume of a stress (kPa).
     inline double
     elastic_energy(const SymmetricTensor<2, 3> &stress,
@@ -59,9 +70,11 @@ namespace Waker
 
   template <int dim>
   StressUpdate<dim>::StressUpdate(const Materials &materials,
-                                  const bool       objective_rate)
+                                  const bool       objective_rate,
+                                  const bool       logarithmic)
     : materials(&materials)
     , objective_rate(objective_rate)
+    , logarithmic(logarithmic)
   {
     for (const auto &material : materials)
       {
@@ -92,6 +105,8 @@ namespace Waker
           }
       }
     gradients.resize(points.n_points());
+    if (logarithmic)
+      steps.resize(points.n_points());
   }
 
 
@@ -168,7 +183,10 @@ namespace Waker
         for (unsigned int l = 0; l < N; ++l)
           work.variables[v][l] = l < n_points ? values[l] : 0.;
       }
-    work.motion.move(block);
+    if (logarithmic)
+      load_logarithmic(range, work);
+    else
+      work.motion.move(block);
   }
 
 
@@ -185,6 +203,9 @@ namespace Waker
     const unsigned int n_points = range.end - range.begin;
     for (std::size_t p = range.begin; p < range.end; ++p)
       gradients[p] = stencil.gradient(weights[p], increment);
+    if (logarithmic)
+      for (std::size_t p = range.begin; p < range.end; ++p)
+        steps[p] = LogarithmicStep<dim>(gradients[p], start_strain(points, p));
 
     Work             work;
     Material::Block &block = work.block;
@@ -195,9 +216,13 @@ namespace Waker
       {
         const std::size_t p = range.begin + l;
         Tensor<2, dim>    P;
-        for (unsigned int i = 0; i < dim; ++i)
-          for (unsigned int j = 0; j < dim; ++j)
-            P[i][j] = points.volume[p] * block.stress[entry(i, j)][l];
+        if (logarithmic)
+          P = natural_volume(points, p) *
+              steps[p].first_piola(block_stress(block, l));
+        else
+          for (unsigned int i = 0; i < dim; ++i)
+            for (unsigned int j = 0; j < dim; ++j)
+              P[i][j] = points.volume[p] * block.stress[entry(i, j)][l];
         stencil.scatter_gradient(weights[p], P, force);
       }
   }
@@ -255,13 +280,17 @@ namespace Waker
       {
         const unsigned int    m = points.material[p];
         const Kinematics<dim> motion(gradients[p], objective_rate);
+        SymmetricTensor<2, 3> strain, stress;
+        if (logarithmic)
+          strain = steps[p].trial_strain();
+        else
+          {
+            strain = motion.strain();
+            stress = motion.turn(points.stress[p]);
+          }
         for (unsigned int v = 0; v < variable_arrays[m].size(); ++v)
           variables[v] = points.scalars[variable_arrays[m][v]].values[p];
-        SymmetricTensor<2, 3> stress = motion.turn(points.stress[p]);
-        (*materials)[m]->update(motion.strain(),
-                                stress,
-                                variables,
-                                &tangents[p]);
+        (*materials)[m]->update(strain, stress, variables, &tangents[p]);
       }
   }
 
@@ -286,7 +315,9 @@ namespace Waker
         load(points, range, work);
         material.update_block(n_points, work.block);
 
-        for (unsigned int l = 0; l < n_points; ++l)
+        if (logarithmic)
+          accept_logarithmic(range, block, points, report);
+        for (unsigned int l = 0; l < n_points && !logarithmic; ++l)
           {
             const std::size_t p     = range.begin + l;
             const double      V     = points.volume[p];

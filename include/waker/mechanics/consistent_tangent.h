@@ -10,7 +10,8 @@ namespace Waker
   /**
    * The derivative of the internal force as StressUpdate computes it, applied
    * point by point without a matrix: with it, Newton converges quadratically.
-   * The objective rate makes it slightly unsymmetric.
+   * The objective rate makes it slightly unsymmetric; so does an unsymmetric
+   * law with logarithmic strain.
    */
   template <int dim>
   class ConsistentTangent : public Operator
@@ -43,7 +44,7 @@ namespace Waker
     }
 
     /// The tangent of a point, for assembly: the change of its volume times
-    /// stress with the gradient of the increment.
+    /// stress with the gradient of the increment. Not with logarithmic strain.
     void
     point_tangent(const std::size_t p,
                   double (&A)[dim * (dim + 1) / 2][dim * dim]) const;
@@ -51,7 +52,9 @@ namespace Waker
   private:
     const Weights<dim>                                   *weights;
     std::vector<typename StressUpdate<dim>::BlockTangent> tangents;
-    NodalVector                                           diagonal;
+    /// Instead of `tangents` with logarithmic strain.
+    std::vector<typename StressUpdate<dim>::FullBlockTangent> full_tangents;
+    NodalVector                                               diagonal;
   };
 } // namespace Waker
 

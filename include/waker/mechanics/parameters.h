@@ -102,7 +102,17 @@ namespace Waker
 
     void
     add_parameters(ParameterHandler &prm);
+    /// @throws UserError "Kinematics and mapping/..."
+    void
+    check() const;
   };
+
+  /// What the time scheme and the other sections ask of each other.
+  /// @throws UserError
+  void
+  check_time_scheme(const TimeParameters    &time,
+                    const GravityParameters &gravity,
+                    const MappingParameters &mapping);
 } // namespace Waker
 
 #endif

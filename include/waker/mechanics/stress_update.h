@@ -7,6 +7,7 @@
 #include <waker/mapping/weights.h>
 #include <waker/materials/material.h>
 #include <waker/mechanics/block_motion.h>
+#include <waker/mechanics/logarithmic_strain.h>
 #include <waker/nodes/nodal_vector.h>
 #include <waker/particles/material_points.h>
 
@@ -45,19 +46,36 @@ namespace Waker
    * place where points are strained. Always from the state at the start of the
    * step, never from the last iteration; the points stay as they are until
    * accept().
+   *
+   * Logarithmic strain (mechanics/logarithmic_strain.h) needs no state of its
+   * own: the elastic strain is that of the Kirchhoff stress, stress times
+   * V/V0, where V0 is mass over density. The force is that in the deformed
+   * place, and accept() updates the volumes.
    */
   template <int dim>
   class StressUpdate
   {
   public:
-    StressUpdate(const Materials &materials, const bool objective_rate);
+    /// @param logarithmic instead of the strain of the step; the objective
+    ///        rate is then of no account
+    StressUpdate(const Materials &materials,
+                 const bool       objective_rate,
+                 const bool       logarithmic = false);
+
+    bool
+    is_logarithmic() const
+    {
+      return logarithmic;
+    }
 
     /**
      * Evaluate stress and internal force (eqs. 2.28, 2.33 of Remmerswaal
      * 2023; mechanics/kinematics.h).
      *
      * @param increment displacement increments of the nodes (m)
-     * @param internal_force out: sum_p V_p stress_p grad S_ip (kN)
+     * @param internal_force out: sum_p V_p stress_p grad S_ip (kN);
+     *        logarithmic: sum_p V0_p P_p grad S_ip with
+     *        LogarithmicStep::first_piola()
      */
     void
     evaluate(const MaterialPoints<dim> &points,
@@ -80,13 +98,27 @@ namespace Waker
             const std::size_t          b,
             BlockTangent              &tangent) const;
 
-    /// The materials' algorithmic tangents there (kPa), for double mapping.
+    /// The same with logarithmic strain, where the stress is not symmetric:
+    /// A[dim i + j][dim k + l][point].
+    struct FullBlockTangent
+    {
+      double A[dim * dim][dim * dim][Material::block_size];
+    };
+
+    void
+    tangent(const MaterialPoints<dim> &points,
+            const std::size_t          b,
+            FullBlockTangent          &tangent) const;
+
+    /// The materials' algorithmic tangents there (kPa), for double mapping;
+    /// logarithmic: with respect to the trial strain.
     void
     material_tangents(const MaterialPoints<dim>          &points,
                       std::vector<SymmetricTensor<4, 3>> &tangents) const;
 
-    /// Write the stresses and variables of the last evaluation to the points,
-    /// and sum up what happened. They are computed once more: cheaper than to
+    /// Write the stresses and variables of the last evaluation to the points
+    /// (logarithmic: also volume and, if it is kept, deformation), and sum up
+    /// what happened. They are computed once more: cheaper than to
     /// keep them.
     StressReport
     accept(MaterialPoints<dim> &points) const;
@@ -119,6 +151,27 @@ namespace Waker
          const Range               &range,
          Work                      &work) const;
 
+    /// What the elastic logarithmic strain of point p was.
+    SymmetricTensor<2, 3>
+    start_strain(const MaterialPoints<dim> &points, const std::size_t p) const;
+
+    /// Volume of point p without stress (m^dim).
+    double
+    natural_volume(const MaterialPoints<dim> &points,
+                   const std::size_t          p) const;
+
+    /// Make the block one of logarithmic strains, from no stress.
+    void
+    load_logarithmic(const Range &range, Work &work) const;
+
+    /// accept() for the points of a range, their Kirchhoff stresses in the
+    /// block.
+    void
+    accept_logarithmic(const Range           &range,
+                       const Material::Block &block,
+                       MaterialPoints<dim>   &points,
+                       StressReport          &report) const;
+
     void
     evaluate_range(const MaterialPoints<dim> &points,
                    const Weights<dim>        &weights,
@@ -132,10 +185,12 @@ namespace Waker
 
     const Materials *materials;
     bool             objective_rate;
+    bool             logarithmic;
     /// Names of the materials' variables, and their places among the scalars.
     std::vector<std::vector<std::string>> variable_names;
     std::vector<std::vector<int>>         variable_arrays;
     std::vector<Tensor<2, dim>>           gradients; // of the increment
+    std::vector<LogarithmicStep<dim>>     steps;     // logarithmic: the points'
   };
 } // namespace Waker
 

@@ -34,6 +34,9 @@ namespace Waker
     double elastic_energy = 0.; // at the end
 
     Tensor<1, dim> reaction; // of the supports at the end, kN
+
+    /// Stretched support domains that were held at the length of a cell.
+    std::size_t held_domains = 0;
   };
 
 
@@ -86,8 +89,10 @@ namespace Waker
     const TimeParameters      &time;
     const NewtonParameters    &newton;
     bool                       objective_rate;
-    double                     gravity;        // m/s^2
-    double                     full_node_mass; // Mg
+    double                     gravity;               // m/s^2
+    double                     full_node_mass;        // Mg
+    bool                       logarithmic = false;   // strain
+    const Walls<dim>          *walls       = nullptr; // off the grid, if any
   };
 
   /**

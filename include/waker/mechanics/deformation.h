@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_mechanics_deformation_h
+#define waker_mechanics_deformation_h
+
+#include <waker/particles/material_points.h>
+
+namespace Waker
+{
+  /// Keep the deformation gradient and the initial support domains of the
+  /// points, from now on.
+  template <int dim>
+  void
+  prepare_deformation(MaterialPoints<dim> &points);
+
+  /**
+   * Support domains that stretch with their points (cpGIMP; Charlton et al.
+   * 2017): half_size_d = initial_half_size_d U_dd, U = sqrt(F^T F). A domain
+   * reaches three nodes in each direction: none gets longer than a cell.
+   *
+   * @param cell_size h (m)
+   * @return the number of domains that were held at the length of a cell
+   */
+  template <int dim>
+  std::size_t
+  stretch_domains(const double cell_size, MaterialPoints<dim> &points);
+} // namespace Waker
+
+#endif
