@@ -164,7 +164,10 @@ namespace WakerBenchmarks
     time_detection(benchmark::State &timer, Moment<dim> &m)
     {
       for (auto _ : timer)
-        m.scene.proximity.detect(m.points, m.scene.surface);
+        {
+          m.scene.surfaces.reset(m.points);
+          m.scene.surfaces.chains();
+        }
     }
 
 
@@ -176,7 +179,7 @@ namespace WakerBenchmarks
       force.reinit(m.scene.nodes.external_force);
       for (auto _ : timer)
         {
-          m.scene.water.find_wetted_segments(m.scene.surface);
+          m.scene.water.find_wetted_segments(m.scene.surfaces.chains());
           m.scene.water.add_nodal_forces(m.scene.nodes.mass,
                                          m.the_case.full_node_mass,
                                          force);

@@ -75,6 +75,14 @@ namespace Waker
                       "Water level on the vertical axis, in m. The width of "
                       "the dyke is measured at this level, also without water.",
                       Patterns::Double());
+    prm.add_parameter("Rise",
+                      rise,
+                      "Rise of the water above Level in time (m): a number, an "
+                      "expression of t (s), or a table \"t0: y0, t1: y1, "
+                      "...\" with straight lines between. The width of the "
+                      "dyke is measured at Level all the time; it is flooded "
+                      "where it does not rise above Level + Rise.",
+                      Patterns::Anything());
     prm.add_parameter("Unit weight",
                       unit_weight,
                       "Unit weight of water, in kN/m^3, not negative.",

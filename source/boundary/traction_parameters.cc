@@ -2,7 +2,11 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <waker/base/errors.h>
+#include <waker/base/text.h>
+#include <waker/boundary/traction.h>
 #include <waker/boundary/traction_parameters.h>
+
+#include <string>
 
 namespace Waker
 {
@@ -83,7 +87,70 @@ namespace Waker
   TractionParameters::check(const unsigned int dim,
                             const std::string &functions) const
   {
-    (void)dim;
-    (void)functions;
+    const std::string path    = "Tractions/" + name + "/";
+    const auto        require = [&](const std::string         &entry,
+                             const std::vector<double> &values) {
+      if (values.size() != dim)
+        throw UserError(path + entry,
+                        "has " + std::to_string(values.size()) + " numbers",
+                        std::to_string(dim) + " numbers (Dimension = " +
+                          std::to_string(dim) + "), or nothing");
+    };
+    if (method == "volume" && functions != "linear")
+      throw UserError(path + "Method",
+                      "is volume, which fits the internal force of linear "
+                      "functions, but Mapping/Functions is " +
+                        functions,
+                      "contour (which with GIMP is what volume is without), "
+                      "or Mapping/Functions = linear");
+    const bool on_points =
+      method == "fixed points" || method == "updated points";
+    if (method == "user surface" && surface_file.empty())
+      throw UserError(path + "Surface file",
+                      "is empty, but Method is user surface",
+                      "the file with the surface that is loaded");
+    if (!surface_file.empty() && method != "user surface" && !on_points)
+      throw UserError(path + "Surface file",
+                      "is given, but the method \"" + method +
+                        "\" finds its surface by itself",
+                      "nothing, or Method = user surface, fixed points or "
+                      "updated points");
+    if (kind == "hydrostatic" && tidy(level).empty())
+      throw UserError(path + "Level",
+                      "is empty, but Kind is hydrostatic",
+                      "a number, an expression of t (s), or a table \"t0: y0, "
+                      "t1: y1, ...\"");
+
+    if (from.empty() != to.empty())
+      throw UserError(path + (from.empty() ? "From" : "To"),
+                      "is empty",
+                      "both corners of the box, or neither");
+    if (!from.empty())
+      {
+        require("From", from);
+        require("To", to);
+        for (unsigned int d = 0; d < dim; ++d)
+          if (!(from[d] <= to[d]))
+            throw UserError(path + "To",
+                            "lies below From in direction " +
+                              std::string(1, "xyz"[d]),
+                            "a box from its lower to its upper corner");
+      }
+    if (!facing.empty())
+      {
+        require("Facing", facing);
+        double square = 0.;
+        for (const double component : facing)
+          square += component * component;
+        if (!(square > 0.))
+          throw UserError(path + "Facing",
+                          "has no direction",
+                          "a vector that is not zero, or nothing");
+      }
+    // Can its values be read?
+    if (dim == 2)
+      Traction<2>(*this, 0.);
+    else
+      Traction<3>(*this, 0.);
   }
 } // namespace Waker

@@ -110,6 +110,7 @@ namespace Waker
                                      "summary.json",
                                      "particles.pvd",
                                      "surface.pvd",
+                                     "tractions.pvd",
                                      "grid.pvd",
                                      "strength_reduction.csv",
                                      "strength_reduction.json"})
@@ -124,6 +125,7 @@ namespace Waker
     {
       return is_numbered(name, "particles-", ".vtu") ||
              is_numbered(name, "surface-", ".vtu") ||
+             is_numbered(name, "tractions-", ".vtu") ||
              is_numbered(name, "grid-", ".vtu");
     }
 

@@ -26,7 +26,8 @@ namespace Waker
                       Patterns::Bool());
     prm.add_parameter("Surface",
                       surface,
-                      "Write surface.pvd: the detected surface.",
+                      "Write surface.pvd: the detected surface; with tractions, "
+                      "tractions.pvd: what they load.",
                       Patterns::Bool());
     prm.add_parameter("Grid",
                       grid,

@@ -11,7 +11,8 @@ namespace Waker
   void
   write_particles(const MaterialPoints<dim> &points,
                   const double               time,
-                  const std::string         &path)
+                  const std::string         &path,
+                  const PointVectors<dim>   &vectors)
   {
     VtuFields fields;
     fields.add_scalar("id", "");
@@ -31,6 +32,11 @@ namespace Waker
       fields.add_scalar(name, "kPa");
     for (const NamedArray &scalar : points.scalars)
       fields.add_scalar(scalar.name, "");
+    for (const PointVector<dim> &vector : vectors)
+      {
+        AssertDimension(vector.values->size(), points.n_points());
+        fields.add_vector(vector.name, vector.unit, dim);
+      }
 
     std::vector<DataOutBase::Patch<0, dim>> patches(points.n_points());
     for (std::size_t p = 0; p < points.n_points(); ++p)
@@ -66,6 +72,9 @@ namespace Waker
 
         for (const NamedArray &scalar : points.scalars)
           add(scalar.values[p]);
+        for (const PointVector<dim> &vector : vectors)
+          for (unsigned int d = 0; d < dim; ++d)
+            add((*vector.values)[p][d]);
       }
 
     fields.write(patches, time, path);
@@ -73,7 +82,13 @@ namespace Waker
 
 
   template void
-  write_particles(const MaterialPoints<2> &, const double, const std::string &);
+  write_particles(const MaterialPoints<2> &,
+                  const double,
+                  const std::string &,
+                  const PointVectors<2> &);
   template void
-  write_particles(const MaterialPoints<3> &, const double, const std::string &);
+  write_particles(const MaterialPoints<3> &,
+                  const double,
+                  const std::string &,
+                  const PointVectors<3> &);
 } // namespace Waker

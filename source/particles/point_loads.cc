@@ -4,6 +4,8 @@
 #include <waker/base/errors.h>
 #include <waker/particles/point_loads.h>
 
+#include <limits>
+
 namespace Waker
 {
   void
@@ -30,8 +32,78 @@ namespace Waker
   void
   PointLoadParameters::check(const unsigned int dim) const
   {
-    (void)dim;
+    const std::string path    = "Point loads/" + name + "/";
+    const auto        require = [&](const std::string         &entry,
+                             const std::vector<double> &values) {
+      if (values.size() != dim)
+        throw UserError(path + entry,
+                        "has " + std::to_string(values.size()) + " numbers",
+                        std::to_string(dim) +
+                          " numbers (Dimension = " + std::to_string(dim) + ")");
+    };
+    require("From", from);
+    require("Force", force);
+    if (to.empty())
+      return;
+    require("To", to);
+    for (unsigned int d = 0; d < dim; ++d)
+      if (!(from[d] <= to[d]))
+        throw UserError(path + "To",
+                        "lies below From in direction " +
+                          std::string(1, "xyz"[d]),
+                        "a box from its lower to its upper corner");
   }
+
+
+  namespace
+  {
+    template <int dim>
+    std::vector<std::size_t>
+    loaded_points(const PointLoadParameters &load,
+                  const MaterialPoints<dim> &points)
+    {
+      Point<dim> from, to;
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          from[d] = load.from[d];
+          to[d]   = load.to.empty() ? from[d] : load.to[d];
+        }
+      std::vector<std::size_t> list;
+      if (load.to.empty())
+        {
+          std::size_t best     = 0;
+          double      shortest = std::numeric_limits<double>::max();
+          for (std::size_t p = 0; p < points.n_points(); ++p)
+            {
+              // Points at the same distance but for round-off: the first.
+              const double distance = points.position[p].distance(from);
+              if (distance < shortest * (1. - 1e-12))
+                {
+                  shortest = distance;
+                  best     = p;
+                }
+            }
+          if (points.n_points() > 0)
+            list.push_back(best);
+          return list;
+        }
+
+      for (std::size_t p = 0; p < points.n_points(); ++p)
+        {
+          bool inside = true;
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              const double x         = points.position[p][d];
+              const double tolerance = 1e-9 * points.half_size[p][d];
+              inside =
+                inside && x >= from[d] - tolerance && x <= to[d] + tolerance;
+            }
+          if (inside)
+            list.push_back(p);
+        }
+      return list;
+    }
+  } // namespace
 
 
   template <int dim>
@@ -39,8 +111,23 @@ namespace Waker
   apply_point_loads(const std::vector<PointLoadParameters> &loads,
                     MaterialPoints<dim>                    &points)
   {
-    (void)loads;
-    (void)points;
+    if (loads.empty())
+      return;
+    points.load.assign(points.n_points(), Tensor<1, dim>());
+    for (const PointLoadParameters &load : loads)
+      {
+        const std::vector<std::size_t> list   = loaded_points(load, points);
+        double                         volume = 0.;
+        for (const std::size_t p : list)
+          volume += points.volume[p];
+        if (list.empty())
+          throw UserError("Point loads/" + load.name + "/From",
+                          "there is no point in the box",
+                          "a box that holds material points");
+        for (const std::size_t p : list)
+          for (unsigned int d = 0; d < dim; ++d)
+            points.load[p][d] += points.volume[p] / volume * load.force[d];
+      }
   }
 
 

@@ -2,6 +2,7 @@
 #include <waker/base/errors.h>
 #include <waker/mapping/stencil.h>
 #include <waker/mapping/transfer.h>
+#include <waker/mechanics/deformation.h>
 #include <waker/mechanics/time_scheme.h>
 #include <waker/simulation/case.h>
 
@@ -55,6 +56,7 @@ namespace Waker
            corner<dim>(p.grid.upper_corner),
            p.grid.cell_size,
            communicator)
+    , user_surfaces(read_surfaces(p.tractions, grid))
     , materials(given_materials.empty() ? make_materials(p)
                                         : std::move(given_materials))
     , flow(grid, materials, p)
@@ -72,7 +74,10 @@ namespace Waker
     initial_points =
       make_material_points(grid, p.layers, p.points, names, densities);
     flow.fill(initial_points);
+    apply_point_loads(p.point_loads, initial_points);
     declare_material_variables(materials, initial_points);
+    if (p.mapping.domains == "stretched")
+      prepare_deformation(initial_points);
     set_initial_state();
   }
 
@@ -84,6 +89,8 @@ namespace Waker
     MaterialPoints<dim> &points = initial_points;
     Scene<dim>           scene(*this);
     scene.set(points);
+    scene.tractions.check_something_is_loaded();
+    scene.tractions.fix_point_loads(points);
     if (parameters.gravity.initial_stress)
       {
         gravity_report = gravity_step(materials,
@@ -106,13 +113,15 @@ namespace Waker
           }
       }
 
+    else
+      scene.set_internal_force(points);
+
     // Newmark starts from the acceleration that fits the forces at t = 0.
     const double       ramp = residual_ramp(0., parameters.time.ramp_duration);
     const Stencil<dim> stencil(grid);
     NodalVector       &a = scene.nodes.acceleration;
     a                    = scene.nodes.external_force;
-    if (parameters.gravity.initial_stress)
-      a -= scene.nodes.internal_force;
+    a -= scene.nodes.internal_force;
     for (unsigned int dof = 0; dof < grid.n_dofs(); ++dof)
       {
         const double mass = scene.nodes.mass[dof / dim];
@@ -125,36 +134,123 @@ namespace Waker
 
 
   template <int dim>
+  SurfaceVertices<dim>
+  initial_vertices(const Case<dim> &the_case)
+  {
+    SurfaceVertices<dim> vertices;
+    for (const UserSurface<dim> &surface : the_case.user_surfaces)
+      vertices.push_back(surface.vertices);
+    return vertices;
+  }
+
+
+  template <int dim>
   Scene<dim>::Scene(const Case<dim> &the_case)
     : weights(the_case.grid,
               the_case.parameters.mapping.functions == "GIMP"
                 ? ShapeFunctions::gimp
                 : ShapeFunctions::linear)
     , nodes(the_case.grid)
-    , proximity(the_case.grid,
-                the_case.parameters.surface,
-                the_case.fixities.closed_faces())
+    , surfaces(the_case.grid,
+               the_case.parameters.surface,
+               weights.functions(),
+               the_case.fixities.closed_faces())
     , water(the_case.grid, the_case.parameters.water)
+    , tractions(the_case.grid,
+                the_case.parameters.tractions,
+                the_case.user_surfaces)
     , the_case(&the_case)
+    , water_rise(the_case.parameters.water.rise, "Water/Rise")
+    , point_loads(the_case.grid)
   {}
+
+
+  template <int dim>
+  void
+  Scene<dim>::set(const MaterialPoints<dim>  &points,
+                  const double                time,
+                  const SurfaceVertices<dim> &vertices)
+  {
+    weights.reinit(points);
+    to_nodes(points, weights, nodes);
+    surfaces.reset(points);
+    tractions.find(points, vertices, surfaces);
+    set_loads(points, time);
+  }
 
 
   template <int dim>
   void
   Scene<dim>::set(const MaterialPoints<dim> &points)
   {
-    weights.reinit(points);
-    to_nodes(points, weights, nodes);
-    proximity.detect(points, surface);
+    set(points, 0., initial_vertices(*the_case));
+  }
+
+
+  template <int dim>
+  bool
+  Scene<dim>::loads_move() const
+  {
+    return water_rise.moves() || tractions.moves();
+  }
+
+
+  template <int dim>
+  void
+  Scene<dim>::set_loads(const MaterialPoints<dim> &points, const double time)
+  {
     set_gravity<dim>(the_case->parameters.gravity.acceleration, nodes);
-    water.find_wetted_segments(surface);
+    water.set_level(water_level(time));
+    water.find_wetted_segments(surfaces.chains());
     water.add_nodal_forces(nodes.mass,
                            the_case->full_node_mass,
                            nodes.external_force);
     water_resultant = water.resultant();
+    tractions.add(
+      time, points, nodes.mass, the_case->full_node_mass, nodes.external_force);
+    if (!points.load.empty())
+      {
+        // Eq. 3.2, with linear functions also under GIMP.
+        point_loads.clear();
+        for (std::size_t p = 0; p < points.n_points(); ++p)
+          if (points.load[p] != Tensor<1, dim>())
+            point_loads.add(points.position[p], points.load[p]);
+        point_loads.distribute(nodes.mass, 0., nodes.external_force);
+      }
   }
 
 
+  template <int dim>
+  void
+  Scene<dim>::set_internal_force(const MaterialPoints<dim> &points)
+  {
+    const Stencil<dim> stencil(the_case->grid);
+    nodes.internal_force = 0.;
+    for (std::size_t p = 0; p < points.n_points(); ++p)
+      {
+        Tensor<2, dim> stress;
+        for (unsigned int c = 0; c < dim; ++c)
+          for (unsigned int d = 0; d < dim; ++d)
+            stress[c][d] = points.volume[p] * points.stress[p][c][d];
+        stencil.scatter_gradient(weights[p],
+                                 stress,
+                                 nodes.internal_force.begin());
+      }
+  }
+
+
+  template <int dim>
+  double
+  Scene<dim>::water_level(const double time) const
+  {
+    return the_case->parameters.water.level + water_rise.value(time);
+  }
+
+
+  template SurfaceVertices<2>
+  initial_vertices(const Case<2> &);
+  template SurfaceVertices<3>
+  initial_vertices(const Case<3> &);
   template struct Case<2>;
   template struct Case<3>;
   template class Scene<2>;

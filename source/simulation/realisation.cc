@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/mechanics/deformation.h>
 #include <waker/observers/dyke_geometry.h>
 #include <waker/simulation/realisation.h>
 
@@ -30,7 +31,8 @@ namespace Waker
                          the_case.parameters.newton,
                          the_case.parameters.mapping.objective_rate,
                          the_case.parameters.gravity.acceleration,
-                         the_case.full_node_mass}))
+                         the_case.full_node_mass,
+                         the_case.parameters.mapping.strain == "logarithmic"}))
   {
     report.kinetic_energy = state.energy.kinetic;
     report.elastic_energy = state.energy.elastic;
@@ -42,10 +44,26 @@ namespace Waker
   Realisation<dim>::look()
   {
     const Parameters &parameters = the_case->parameters;
-    scene.set(state->points);
-    state->failure.update(measure_dyke(scene.surface, parameters.water.level),
+    try
+      {
+        scene.set(state->points, state->time, state->surface_vertices);
+      }
+    catch (const UserError &error)
+      {
+        // What the input allowed at the start is no mistake of it later.
+        if (state->step == 0)
+          throw;
+        throw NumericalFailure(error.what());
+      }
+    if (state->step == 0)
+      scene.set_internal_force(state->points);
+
+    // The width is measured at one level all the time: a rise of the water is
+    // no failure.
+    state->failure.update(measure_dyke(scene.surfaces.chains(),
+                                       parameters.water.level),
                           state->time,
-                          parameters.water.level,
+                          scene.water_level(state->time),
                           parameters.water.side != "none",
                           {parameters.initial_failure.width_change,
                            parameters.initial_failure.height_loss});
@@ -78,7 +96,10 @@ namespace Waker
     double                dt;
     while (true)
       {
-        dt     = next_time_step();
+        dt = next_time_step();
+        // The loads at the end of the step, on the surfaces at its start.
+        if (scene.loads_move())
+          scene.set_loads(state->points, state->time + dt);
         report = scheme->solve(
           state->points, scene.weights, state->time, dt, scene.nodes);
         state->newton_iterations += report.newton_iterations;
@@ -101,6 +122,13 @@ namespace Waker
 
     scheme->update_points(
       scene.weights, state->time, dt, scene.nodes, state->points, report);
+    if (the_case->parameters.mapping.domains == "stretched")
+      report.held_domains =
+        stretch_domains(the_case->grid.cell_size(), state->points);
+
+    if (time.scheme != "quasi-static" || time.move_points)
+      for (std::vector<Point<dim>> &vertices : state->surface_vertices)
+        carry_vertices(the_case->grid, scene.nodes, vertices);
 
     state->time += dt;
     ++state->step;
@@ -138,15 +166,16 @@ namespace Waker
             the_case->grid,
             state->points,
             scene.nodes,
-            scene.proximity.nodal_values(),
-            scene.surface,
+            scene.surfaces.proximity_field(),
+            scene.surfaces.last_chains(),
             scene.water.wetted_segments(),
             scene.water_resultant,
             state->failure,
             report,
             state->energy,
             state->unconverged_steps,
-            the_case->flow.is_used() ? &state->flow : nullptr};
+            the_case->flow.is_used() ? &state->flow : nullptr,
+            scene.tractions};
   }
 
 

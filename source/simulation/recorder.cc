@@ -4,6 +4,7 @@
 #include <waker/output/grid_writer.h>
 #include <waker/output/particle_writer.h>
 #include <waker/output/surface_writer.h>
+#include <waker/output/traction_writer.h>
 #include <waker/simulation/recorder.h>
 
 #include <boost/archive/binary_iarchive.hpp>
@@ -28,13 +29,14 @@ namespace Waker
       std::vector<PvdEntry> particles;
       std::vector<PvdEntry> surfaces;
       std::vector<PvdEntry> grids;
+      std::vector<PvdEntry> tractions;
 
       template <typename Archive>
       void
       serialize(Archive &archive, const unsigned int)
       {
-        archive &state &next_fields &next_checkpoint &particles &surfaces
-          &grids;
+        archive &state &next_fields &next_checkpoint &particles &surfaces &grids
+          &tractions;
       }
     };
 
@@ -89,6 +91,7 @@ namespace Waker
     , particles(parameters.output.directory, "particles")
     , surfaces(parameters.output.directory, "surface")
     , grids(parameters.output.directory, "grid")
+    , tractions(parameters.output.directory, "tractions")
     , observers(standard_observers<dim>())
     , statistics(std::make_unique<Statistics>(
         join_path(parameters.output.directory, "statistics")))
@@ -103,6 +106,7 @@ namespace Waker
     , particles(parameters.output.directory, "particles")
     , surfaces(parameters.output.directory, "surface")
     , grids(parameters.output.directory, "grid")
+    , tractions(parameters.output.directory, "tractions")
     , observers(standard_observers<dim>())
   {
     const Checkpoint checkpoint = slots.read_latest(resume_warning);
@@ -128,6 +132,7 @@ namespace Waker
     particles.restore(progress.particles);
     surfaces.restore(progress.surfaces);
     grids.restore(progress.grids);
+    tractions.restore(progress.tractions);
     // The row of the checkpoint's step was written before it.
     statistics = std::make_unique<Statistics>(
       join_path(parameters.output.directory, "statistics"), state.step + 1);
@@ -161,7 +166,15 @@ namespace Waker
     const OutputParameters &output = parameters->output;
     if (output.particles)
       {
-        write_particles(view.points, view.time, particles.next_path());
+        PointVectors<dim> loads;
+        if (!view.points.load.empty())
+          loads.push_back({"load", "kN", &view.points.load});
+        for (std::size_t i = 0; i < view.tractions.size(); ++i)
+          if (!view.tractions.view(i).point_loads->empty())
+            loads.push_back({"load_" + view.tractions.view(i).name,
+                             "kN",
+                             view.tractions.view(i).point_loads});
+        write_particles(view.points, view.time, particles.next_path(), loads);
         particles.add(view.time);
       }
     if (output.surface)
@@ -172,6 +185,11 @@ namespace Waker
                       view.time,
                       surfaces.next_path());
         surfaces.add(view.time);
+      }
+    if (output.surface && view.tractions.size() > 0)
+      {
+        write_tractions(view.tractions, view.time, tractions.next_path());
+        tractions.add(view.time);
       }
     if (output.grid)
       {
@@ -185,6 +203,10 @@ namespace Waker
         fields.vectors.push_back(
           {"internal_force", "kN", &view.nodes.internal_force});
         fields.vectors.push_back({"increment", "m", &view.nodes.increment});
+        for (std::size_t i = 0; i < view.tractions.size(); ++i)
+          fields.vectors.push_back({"force_" + view.tractions.view(i).name,
+                                    "kN",
+                                    view.tractions.view(i).nodal_force});
         write_grid(
           view.grid, view.nodes.mass, fields, view.time, grids.next_path());
         grids.add(view.time);
@@ -208,7 +230,8 @@ namespace Waker
                             next_checkpoint,
                             particles.entries(),
                             surfaces.entries(),
-                            grids.entries()};
+                            grids.entries(),
+                            tractions.entries()};
     std::ostringstream bytes;
     {
       boost::archive::binary_oarchive archive(bytes);

@@ -40,10 +40,16 @@ namespace Waker
                                           [&](const char *, auto &values) {
                                             array(archive, values);
                                           });
-      archive &state.time &state.step &state.flow &state.energy &state.failure &state
-        .rest &state.mean_plastic_strain &state.displacement_rate &state
-        .last_dt &state.halvings &state.steps_since_change &state
-        .newton_iterations &state.linear_iterations &state.unconverged_steps;
+      std::size_t n_surfaces = state.surface_vertices.size();
+      archive    &n_surfaces;
+      state.surface_vertices.resize(n_surfaces);
+      for (std::vector<Point<dim>> &vertices : state.surface_vertices)
+        array(archive, vertices);
+      archive &state.time &state.step &state.flow &state.energy &state
+        .failure &state.rest &state.mean_plastic_strain &state
+        .displacement_rate &state.last_dt &state.halvings &state
+        .steps_since_change &state.newton_iterations &state
+        .linear_iterations                           &state.unconverged_steps;
     }
   } // namespace
 
@@ -76,6 +82,7 @@ namespace Waker
   {
     State<dim> state;
     state.points               = the_case.initial_points;
+    state.surface_vertices     = initial_vertices(the_case);
     state.energy.kinetic_start = kinetic_energy(state.points);
     state.energy.kinetic       = state.energy.kinetic_start;
     state.energy.elastic_start =

@@ -201,7 +201,6 @@ TEST(Program, values_that_make_no_sense)
     read_parameters(write_case(with("4.75", "9")), {"Water/Side=none"}));
 
   for (const char *path : {"Time stepping/Time step",
-                           "Time stepping/End time",
                            "Time stepping/Courant number",
                            "Newton/Tolerance",
                            "Newton/Linear tolerance",

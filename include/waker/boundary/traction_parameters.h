@@ -44,7 +44,7 @@ namespace Waker
     std::string value = "0";
     /// Level (m): a number, an expression of t (s), or a table "t0: y0, t1: y1,
     /// ..." with straight lines between its entries.
-    std::string level       = "0";
+    std::string level;
     double      unit_weight = 10.; // kN/m^3
 
     /// Only the part of the surface within this box is loaded (m); empty: all.

@@ -2,6 +2,7 @@
 #ifndef waker_observers_observer_h
 #define waker_observers_observer_h
 
+#include <waker/boundary/tractions.h>
 #include <waker/boundary/water_load.h>
 #include <waker/mechanics/energy.h>
 #include <waker/mechanics/time_scheme.h>
@@ -39,6 +40,7 @@ namespace Waker
     const EnergyAccount              &energy;
     std::uint64_t                     unconverged_steps;
     const FlowAccount<dim>           *flow; // null without flow
+    const Tractions<dim>             &tractions;
   };
 
   /// Where an observer puts its numbers: one column each, the same every step.

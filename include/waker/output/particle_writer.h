@@ -2,12 +2,30 @@
 #ifndef waker_output_particle_writer_h
 #define waker_output_particle_writer_h
 
+#include <deal.II/base/tensor.h>
+
 #include <string>
+#include <vector>
 
 namespace Waker
 {
+  using namespace dealii;
+
   template <int dim>
   struct MaterialPoints;
+
+  /// A vector per point that is not among the points' arrays. The pointer is
+  /// borrowed.
+  template <int dim>
+  struct PointVector
+  {
+    std::string                        name;
+    std::string                        unit;
+    const std::vector<Tensor<1, dim>> *values; // n_points long
+  };
+
+  template <int dim>
+  using PointVectors = std::vector<PointVector<dim>>;
 
   /**
    * Write the material points to a .vtu file, one vertex cell per point.
@@ -16,7 +34,8 @@ namespace Waker
    * stress_xx, _yy, _zz, _xy, _xz, _yz (kPa, tension positive), mean_stress
    * p = -tr(stress) / 3 (kPa, compression positive), deviatoric_stress
    * q = sqrt(3 J2) (kPa), and every scalar of the points, spaces in its name
-   * replaced by underscores: plastic_strain, undrained_shear_strength, ...
+   * replaced by underscores: plastic_strain, undrained_shear_strength, ...; and
+   * `vectors`.
    *
    * Numbers are stored in single precision: these files are for looking.
    *
@@ -26,7 +45,8 @@ namespace Waker
   void
   write_particles(const MaterialPoints<dim> &points,
                   const double               time,
-                  const std::string         &path);
+                  const std::string         &path,
+                  const PointVectors<dim>   &vectors = {});
 } // namespace Waker
 
 #endif

@@ -2,7 +2,11 @@
 #ifndef waker_simulation_case_h
 #define waker_simulation_case_h
 
-#include <waker/boundary/proximity_field.h>
+#include <waker/base/time_function.h>
+#include <waker/boundary/facet_load.h>
+#include <waker/boundary/surface_finder.h>
+#include <waker/boundary/tractions.h>
+#include <waker/boundary/user_surface.h>
 #include <waker/boundary/water_load.h>
 #include <waker/mapping/weights.h>
 #include <waker/mechanics/gravity_step.h>
@@ -32,12 +36,14 @@ namespace Waker
 
     const Parameters          parameters;
     const BackgroundGrid<dim> grid;
-    const Materials           materials;
-    const Flow<dim>           flow;
-    const Fixities<dim>       fixities;
-    const double              full_node_mass; // Mg, of a node inside the body
-    MaterialPoints<dim>       initial_points;
-    GravityReport             gravity_report;
+    /// Of the tractions, one each.
+    const std::vector<UserSurface<dim>> user_surfaces;
+    const Materials                     materials;
+    const Flow<dim>                     flow;
+    const Fixities<dim>                 fixities;
+    const double        full_node_mass; // Mg, of a node inside the body
+    MaterialPoints<dim> initial_points;
+    GravityReport       gravity_report;
 
   private:
     void
@@ -45,9 +51,15 @@ namespace Waker
   };
 
 
+  /// The user's surfaces at t = 0.
+  template <int dim>
+  SurfaceVertices<dim>
+  initial_vertices(const Case<dim> &the_case);
+
+
   /**
-   * The nodes' side of a moment: weights, nodal state, surface and load of the
-   * points as they lie. Work space, made once and used in every step.
+   * The nodes' side of a moment: weights, nodal state, surfaces and loads of
+   * the points as they lie. Work space, made once and used in every step.
    */
   template <int dim>
   class Scene
@@ -55,19 +67,48 @@ namespace Waker
   public:
     explicit Scene(const Case<dim> &the_case);
 
-    /// Map the points, find the surface, load it with weight and water.
+    /**
+     * Map the points, find the surfaces, load them.
+     * @param time of the loads (s)
+     * @param vertices of the user's surfaces
+     */
+    void
+    set(const MaterialPoints<dim>  &points,
+        const double                time,
+        const SurfaceVertices<dim> &vertices);
+
+    /// The same at t = 0.
     void
     set(const MaterialPoints<dim> &points);
 
-    Weights<dim>        weights;
-    NodalState          nodes;
-    ProximityField<dim> proximity;
-    Surface             surface;
-    WaterLoad<dim>      water;
-    WaterResultant      water_resultant;
+    /// Do loads change in time even if the points do not move?
+    bool
+    loads_move() const;
+
+    /// Weight, water, tractions and point loads at a time (s), on the surfaces
+    /// found last: the nodes' external force.
+    void
+    set_loads(const MaterialPoints<dim> &points, const double time);
+
+    /// The nodes' internal force, from the points' stress (kN).
+    void
+    set_internal_force(const MaterialPoints<dim> &points);
+
+    /// Level of the water at a time (m).
+    double
+    water_level(const double time) const;
+
+    Weights<dim>       weights;
+    NodalState         nodes;
+    SurfaceFinder<dim> surfaces;
+    WaterLoad<dim>     water;
+    WaterResultant     water_resultant;
+    Tractions<dim>     tractions;
 
   private:
     const Case<dim> *the_case;
+    TimeFunction     water_rise;
+    FacetLoad<dim>   point_loads;
   };
 } // namespace Waker
 

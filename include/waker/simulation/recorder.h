@@ -63,6 +63,7 @@ namespace Waker
     PvdSeries         particles;
     PvdSeries         surfaces;
     PvdSeries         grids;
+    PvdSeries         tractions;
     std::string       resume_warning;
 
     std::vector<std::unique_ptr<Observer<dim>>> observers;

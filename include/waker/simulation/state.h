@@ -2,6 +2,7 @@
 #ifndef waker_simulation_state_h
 #define waker_simulation_state_h
 
+#include <waker/boundary/tractions.h>
 #include <waker/control/stop_rules.h>
 #include <waker/mechanics/energy.h>
 #include <waker/observers/failure_record.h>
@@ -24,6 +25,9 @@ namespace Waker
     MaterialPoints<dim> points;
     double              time = 0.; // s
     std::uint64_t       step = 0;  // steps done
+
+    /// Of the user's surfaces, which the material carries along.
+    SurfaceVertices<dim> surface_vertices;
 
     FlowAccount<dim> flow;
     EnergyAccount    energy;

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_base_time_function_h
+#define waker_base_time_function_h
+
+#include <waker/base/expression.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Waker
+{
+  /**
+   * A value in time that the user writes: a number, an expression of t (s), or
+   * a table "t0: y0, t1: y1, ..." with straight lines between its entries and
+   * constant before the first and after the last.
+   *
+   * Copies share their parser: not for several threads at a time.
+   */
+  class TimeFunction
+  {
+  public:
+    /// Constant.
+    explicit TimeFunction(const double value = 0.);
+
+    /// @param path of the parameter, for the error
+    /// @throws UserError if the text is none of the three, depends on the
+    /// place, or if the table's times do not ascend
+    TimeFunction(const std::string &text, const std::string &path);
+
+    double
+    value(const double t) const;
+
+    /// Does it depend on the time?
+    bool
+    moves() const;
+
+  private:
+    std::vector<std::pair<double, double>> table;      // time, value; ascending
+    std::shared_ptr<const Expression<2>>   expression; // or null
+  };
+} // namespace Waker
+
+#endif

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_boundary_cell_surface_h
+#define waker_boundary_cell_surface_h
+
+#include <waker/boundary/facet.h>
+#include <waker/grid/background_grid.h>
+#include <waker/mapping/shape_functions.h>
+#include <waker/particles/material_points.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace Waker
+{
+  /**
+   * Surfaces made of pieces that lie along the grid. A cell beyond a closed
+   * face of the box counts as soil; the facets there are marked.
+   *
+   * Keeps its work arrays from call to call.
+   */
+  template <int dim>
+  class CellSurface
+  {
+  public:
+    /// @param closed_faces Fixities::closed_faces()
+    CellSurface(const BackgroundGrid<dim> &grid,
+                const unsigned int         closed_faces);
+
+    /**
+     * The faces between active and inactive cells (section 3.3.2 of
+     * Remmerswaal 2023). With linear functions a cell is active if it holds a
+     * point, with GIMP if a support domain reaches into it.
+     * @param facets overwritten
+     */
+    void
+    find_active(const MaterialPoints<dim> &points,
+                const ShapeFunctions       functions,
+                Facets<dim>               &facets);
+
+    /**
+     * The surface that encloses in each cell the volume of the points which it
+     * holds (section 3.3.4 of Remmerswaal 2023): consistent with the internal
+     * force of standard MPM. Where that is depends on the cells around, and it
+     * is only determined for bodies that lie along the grid: blocks, bars,
+     * layers, at least two cells thick where they end inside a cell.
+     *
+     * @param path of the parameter that asked for it, for the error
+     * @param facets overwritten
+     * @throws UserError if a cell does not say on which side it is open
+     */
+    void
+    find_volume(const MaterialPoints<dim> &points,
+                const std::string         &path,
+                Facets<dim>               &facets);
+
+  private:
+    using Index = typename BackgroundGrid<dim>::Index;
+    /// Part of a cell that is filled: from .. to in each direction, 0 to 1.
+    using Part = std::array<std::array<double, 2>, dim>;
+
+    enum class Neighbour
+    {
+      empty,
+      soil,
+      wall
+    };
+
+    /// What lies next to a cell in direction d, on the lower (0) or upper (1)
+    /// side.
+    Neighbour
+    neighbour(const Index       &index,
+              const unsigned int d,
+              const unsigned int side) const;
+
+    void
+    add_faces(const Index &index, const Part &part, Facets<dim> &facets) const;
+
+    Part
+    filled_part(const Index &index, const std::string &path) const;
+
+    const BackgroundGrid<dim> *grid;
+    unsigned int               closed_faces;
+    Index                      lowest; // cells of the body: inside closed faces
+    Index                      highest; // exclusive
+    /// Share of each cell that is filled, by its lower left node.
+    std::vector<double> share;
+  };
+} // namespace Waker
+
+#endif

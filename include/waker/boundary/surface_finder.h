@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_boundary_surface_finder_h
+#define waker_boundary_surface_finder_h
+
+#include <waker/boundary/cell_surface.h>
+#include <waker/boundary/domain_contour.h>
+#include <waker/boundary/facet.h>
+#include <waker/boundary/proximity_field.h>
+#include <waker/boundary/surface.h>
+
+#include <string>
+#include <vector>
+
+namespace Waker
+{
+  /**
+   * All surfaces that can be found from the points alone. Each is found when it
+   * is first asked for and kept until the points move: water, tractions and
+   * observers share them.
+   */
+  template <int dim>
+  class SurfaceFinder
+  {
+  public:
+    SurfaceFinder(const BackgroundGrid<dim> &grid,
+                  const SurfaceParameters   &parameters,
+                  const ShapeFunctions       functions,
+                  const unsigned int         closed_faces);
+
+    /// From now on the surfaces are those of these points, which must stay.
+    void
+    reset(const MaterialPoints<dim> &points);
+
+    /// The chains of the surface that Surface/Method asks for, for water and
+    /// observers; in 3D of the body's projection on the x-y plane.
+    const Surface &
+    chains();
+
+    /// The chains as they were found last.
+    const Surface &
+    last_chains() const;
+
+    /**
+     * The facets of a surface.
+     * @param method "proximity field", "contour", "surface nodes" or "volume"
+     * @param path of the parameter that asks for it, for errors
+     * @throws UserError if the body has no such surface
+     */
+    const Facets<dim> &
+    facets(const std::string &method, const std::string &path);
+
+    /// The proximity field as last computed; empty if it was not needed.
+    const std::vector<double> &
+    proximity_field() const;
+
+  private:
+    struct Found
+    {
+      bool        is_valid = false;
+      Facets<dim> facets;
+    };
+
+    const Surface &
+    chains(const std::string &method);
+
+    BackgroundGrid<dim> const *grid;
+    SurfaceParameters          parameters;
+    ShapeFunctions             functions;
+    const MaterialPoints<dim> *points = nullptr;
+
+    ProximityField<dim> proximity;
+    DomainContour<dim>  contour;
+    CellSurface<dim>    cells;
+
+    bool    has_chains[2] = {false, false}; // proximity field, contour
+    Surface found_chains[2];
+    Found   found[4]; // proximity field, contour, surface nodes, volume
+    bool    has_field = false;
+  };
+} // namespace Waker
+
+#endif

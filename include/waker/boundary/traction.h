@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_boundary_traction_h
+#define waker_boundary_traction_h
+
+#include <waker/base/expression.h>
+#include <waker/base/time_function.h>
+#include <waker/boundary/facet.h>
+#include <waker/boundary/traction_parameters.h>
+
+#include <vector>
+
+namespace Waker
+{
+  /**
+   * What acts on a surface, and on which part of it: a vector, a pressure
+   * against the normal, or a hydrostatic pressure. Where the surface is, others
+   * say.
+   */
+  template <int dim>
+  class Traction
+  {
+  public:
+    /// @param tolerance a surface this close to the box From .. To is in it (m)
+    /// @throws UserError "Tractions/<name>/..." if a value cannot be read
+    Traction(const TractionParameters &parameters, const double tolerance);
+
+    /// The part of a surface that may be loaded at some time: in the box, with
+    /// the right normal, not on a closed face of the grid. Cut exactly.
+    /// @param part overwritten
+    void
+    select(const Facets<dim> &surface, Facets<dim> &part);
+
+    /// From now on the values are those at time t (s).
+    void
+    set_time(const double t);
+
+    /// The part that is under load at the time set: hydrostatic, that below
+    /// the level. @param part of select(); cut
+    void
+    keep_loaded(Facets<dim> &part);
+
+    /// Traction (kPa) on a surface with this outward normal at x.
+    Tensor<1, dim>
+    value(const Tensor<1, dim> &normal, const Point<dim> &x) const;
+
+    /// Does it depend on the time?
+    bool
+    moves() const;
+
+    bool
+    is_hydrostatic() const
+    {
+      return kind == Kind::hydrostatic;
+    }
+
+  private:
+    enum class Kind
+    {
+      vector,
+      pressure,
+      hydrostatic
+    };
+
+    Kind                         kind;
+    std::vector<Expression<dim>> expressions; // of a vector or a pressure
+    TimeFunction                 level;
+    double                       unit_weight;
+
+    bool           has_box = false;
+    Point<dim>     lower, upper;  // of the box
+    bool           faces = false; // only one way?
+    Tensor<1, dim> facing;        // unit vector
+    double         least_cosine = -1.;
+
+    double                time          = 0.;
+    double                current_level = 0.;
+    std::array<double, 3> constant{}; // values of uniform expressions
+    bool                  uniform = true;
+    Facets<dim>           work;
+  };
+} // namespace Waker
+
+#endif

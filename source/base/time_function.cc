@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/errors.h>
+#include <waker/base/text.h>
+#include <waker/base/time_function.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace Waker
+{
+  namespace
+  {
+    const std::string allowed = "a number, an expression of t (s), or a table "
+                                "\"t0: y0, t1: y1, ...\" with ascending times";
+
+
+    double
+    to_number(const std::string &text,
+              const std::string &whole,
+              const std::string &path)
+    {
+      char        *end   = nullptr;
+      const double value = std::strtod(text.c_str(), &end);
+      if (text.empty() || *end != '\0' || !std::isfinite(value))
+        throw UserError(path,
+                        "\"" + text + "\" in \"" + whole + "\" is no number",
+                        allowed);
+      return value;
+    }
+  } // namespace
+
+
+  TimeFunction::TimeFunction(const double value)
+    : table(1, {0., value})
+  {}
+
+
+  TimeFunction::TimeFunction(const std::string &text, const std::string &path)
+  {
+    if (tidy(text).empty())
+      throw UserError(path, "is empty", allowed);
+    // A colon also belongs to "a ? b : c".
+    if (text.find(':') != std::string::npos &&
+        text.find('?') == std::string::npos)
+      {
+        for (const std::string &entry : split(text, ','))
+          {
+            const std::vector<std::string> parts = split(entry, ':');
+            if (parts.size() != 2)
+              throw UserError(path,
+                              "\"" + entry + "\" is no pair of time and value",
+                              allowed);
+            const double t = to_number(parts[0], text, path);
+            if (!table.empty() && !(t > table.back().first))
+              throw UserError(path,
+                              "the time " + parts[0] + " in \"" + text +
+                                "\" does not come after the one before",
+                              allowed);
+            table.emplace_back(t, to_number(parts[1], text, path));
+          }
+        return;
+      }
+
+    auto parsed =
+      std::make_shared<const Expression<2>>(text, path, "; or a table");
+    if (!parsed->is_uniform())
+      throw UserError(path, "\"" + text + "\" depends on the place", allowed);
+    const double start = parsed->value(Point<2>(), 0.);
+    if (!std::isfinite(start))
+      throw UserError(path, "\"" + text + "\" is not finite at t = 0", allowed);
+    if (parsed->moves())
+      expression = std::move(parsed);
+    else
+      table.emplace_back(0., start);
+  }
+
+
+  double
+  TimeFunction::value(const double t) const
+  {
+    if (expression)
+      return expression->value(Point<2>(), t);
+    const auto after = std::upper_bound(
+      table.begin(), table.end(), t, [](const double time, const auto &entry) {
+        return time < entry.first;
+      });
+    if (after == table.begin())
+      return table.front().second;
+    if (after == table.end())
+      return table.back().second;
+    const auto  &a     = *(after - 1);
+    const double share = (t - a.first) / (after->first - a.first);
+    return a.second + share * (after->second - a.second);
+  }
+
+
+  bool
+  TimeFunction::moves() const
+  {
+    return expression != nullptr || table.size() > 1;
+  }
+} // namespace Waker
