@@ -54,6 +54,15 @@ namespace Waker
   to_facets(const Surface &surface)
   {
     Facets<2> facets;
+    to_facets(surface, facets);
+    return facets;
+  }
+
+
+  void
+  to_facets(const Surface &surface, Facets<2> &facets)
+  {
+    facets.clear();
     for (const SurfaceChain &chain : surface.chains)
       {
         const std::size_t n = chain.vertices.size();
@@ -62,7 +71,6 @@ namespace Waker
             make_facet<2>({{chain.vertices[k], chain.vertices[(k + 1) % n]}},
                           chain.on_face[k]));
       }
-    return facets;
   }
 
 

@@ -54,6 +54,10 @@ namespace Waker
         first_traced += begin * (d == 0 ? 1 : n_x);
       }
     contour = MarchingSquares(window, closed_faces);
+
+    if constexpr (dim == 3)
+      if (!parameters.prismatic)
+        spatial.emplace(grid, parameters, closed_faces);
   }
 
 
@@ -171,6 +175,25 @@ namespace Waker
     Surface surface;
     detect(points, surface);
     return surface;
+  }
+
+
+
+  template <int dim>
+  void
+  ProximityField<dim>::detect(const MaterialPoints<dim> &points,
+                              Facets<dim>               &facets)
+  {
+    if constexpr (dim == 2)
+      {
+        detect(points, chains);
+        to_facets(chains, facets);
+      }
+    else
+      {
+        Assert(spatial, ExcMessage("A prismatic body has no facets."));
+        spatial->detect(points, facets);
+      }
   }
 
 

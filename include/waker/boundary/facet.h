@@ -48,6 +48,10 @@ namespace Waker
   Facets<2>
   to_facets(const Surface &surface);
 
+  /// The same in `facets`, which is overwritten, its storage used again.
+  void
+  to_facets(const Surface &surface, Facets<2> &facets);
+
   /// Volume (m^dim) that closed facets enclose: the divergence theorem.
   template <int dim>
   double

@@ -3,10 +3,12 @@
 #define waker_boundary_proximity_field_h
 
 #include <waker/boundary/marching_squares.h>
+#include <waker/boundary/proximity_surface.h>
 #include <waker/boundary/surface.h>
 #include <waker/grid/background_grid.h>
 #include <waker/particles/material_points.h>
 
+#include <optional>
 #include <string>
 
 namespace dealii
@@ -54,10 +56,13 @@ namespace Waker
    * At a closed face the kernels of the points within a of it are mirrored, so
    * that the field is not halved there, and the body is cut at the face.
    *
-   * A three-dimensional body is taken as prismatic: its points are projected
-   * on the x-y plane with V_p / L_z, L_z the extent of the grid's box in z. A
-   * plane-strain slice so has the field of the two-dimensional body. A true
-   * surface in 3D is not there yet.
+   * In 3D there are two surfaces. That of the body itself, with the kernel of
+   * three dimensions (ProximitySurface), as facets; it is there unless the
+   * parameters call the body prismatic. And the contour in the x-y plane of the
+   * body as if it were prismatic: its points are projected on the plane with
+   * V_p / L_z, L_z the extent of the grid's box in z. A plane-strain slice so
+   * has the contour of the two-dimensional body; of any other body it is a mean
+   * over its length, on which a dyke is measured.
    *
    * Keeps its work arrays from call to call.
    */
@@ -72,24 +77,30 @@ namespace Waker
 
     /// PF (no unit; about 1 inside a body) for the points as they lie, at the
     /// nodes of the x-y lattice, x fastest, margin included: n_x n_y entries,
-    /// which in 2D are all nodes of the grid.
+    /// which in 2D are all nodes of the grid. In 3D that of the projection.
     const std::vector<double> &
     field(const MaterialPoints<dim> &points);
 
-    /// The field as last computed.
+    /// The field as last computed; in 3D, unless prismatic, that of the body
+    /// itself, at all nodes.
     const std::vector<double> &
     nodal_values() const
     {
-      return nodal_field;
+      return spatial ? spatial->nodal_values() : nodal_field;
     }
 
-    /// The contour of the field at the threshold. `surface` is overwritten,
-    /// its storage used again.
+    /// The contour of the field at the threshold, in the x-y plane. `surface`
+    /// is overwritten, its storage used again.
     void
     detect(const MaterialPoints<dim> &points, Surface &surface);
 
     Surface
     detect(const MaterialPoints<dim> &points);
+
+    /// The surface of the body itself: segments in 2D, triangles in 3D, there
+    /// not if the body is called prismatic. `facets` is overwritten.
+    void
+    detect(const MaterialPoints<dim> &points, Facets<dim> &facets);
 
   private:
     // Sum the kernels, each over the `width` x `width` nodes that it can reach.
@@ -112,6 +123,9 @@ namespace Waker
 
     std::vector<double> nodal_field;
     MarchingSquares     contour;
+    Surface             chains; // work space
+
+    std::optional<ProximitySurface> spatial; // in 3D, unless prismatic
   };
 } // namespace Waker
 
