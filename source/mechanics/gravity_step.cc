@@ -10,11 +10,13 @@
 #include <waker/mechanics/static_factorisation.h>
 #include <waker/mechanics/system_operator.h>
 #include <waker/mechanics/time_scheme.h>
+#include <waker/mechanics/walled_operator.h>
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace Waker
 {
@@ -72,11 +74,22 @@ namespace Waker
                       const std::vector<unsigned int> &removed,
                       const Springs                   &springs,
                       const std::vector<double>       &mass,
+                      const Walls<dim>                *walls,
                       NodalVector                     &x,
                       const NodalVector               &b)
     {
-      const SystemOperator system(tangent, 1., 0., mass, removed, springs);
-      NodalVector          diagonal;
+      std::optional<WalledOperator<dim>> walled;
+      if (walls != nullptr)
+        walled.emplace(tangent, *walls);
+      const SystemOperator system(walled
+                                    ? static_cast<const Operator &>(*walled)
+                                    : tangent,
+                                  1.,
+                                  0.,
+                                  mass,
+                                  removed,
+                                  springs);
+      NodalVector diagonal;
       diagonal.reinit(b);
       system.add_diagonal(diagonal);
       DiagonalMatrix<NodalVector> jacobi;
@@ -123,7 +136,8 @@ namespace Waker
                const double         full_node_mass,
                const double         tolerance,
                NodalState          &nodes,
-               MaterialPoints<dim> &points)
+               MaterialPoints<dim> &points,
+               const Walls<dim>    *walls)
   {
     const Materials        elastic = elastic_materials(materials);
     StressUpdate<dim>      stress_update(elastic, /*objective_rate=*/false);
@@ -143,8 +157,12 @@ namespace Waker
     tangent.reinit(stress_update, points);
     std::unique_ptr<StaticFactorisation> factorisation;
     if constexpr (dim == 2)
-      factorisation = std::make_unique<StaticFactorisation>(
-        tangent, fixities.removed(), springs, nodes.mass, relative_shift);
+      factorisation = std::make_unique<StaticFactorisation>(tangent,
+                                                            fixities.removed(),
+                                                            springs,
+                                                            nodes.mass,
+                                                            relative_shift,
+                                                            walls);
 
     GravityReport report;
     double        reference = 0.;
@@ -177,6 +195,7 @@ namespace Waker
                             fixities.removed_list(),
                             springs,
                             nodes.mass,
+                            walls,
                             correction,
                             R);
         nodes.increment += correction;
@@ -184,6 +203,8 @@ namespace Waker
                                weights,
                                nodes.increment,
                                nodes.internal_force);
+        if (walls != nullptr)
+          walls->add_internal_force(nodes.increment, nodes.internal_force);
       }
     stress_update.accept(points);
     return report;
@@ -197,7 +218,8 @@ namespace Waker
                const double,
                const double,
                NodalState &,
-               MaterialPoints<2> &);
+               MaterialPoints<2> &,
+               const Walls<2> *);
   template GravityReport
   gravity_step(const Materials &,
                const Weights<3> &,
@@ -205,5 +227,6 @@ namespace Waker
                const double,
                const double,
                NodalState &,
-               MaterialPoints<3> &);
+               MaterialPoints<3> &,
+               const Walls<3> *);
 } // namespace Waker

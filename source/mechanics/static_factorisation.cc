@@ -11,7 +11,8 @@ namespace Waker
     const std::vector<unsigned char> &removed,
     const Springs                    &springs,
     const std::vector<double>        &mass,
-    const double                      shift)
+    const double                      shift,
+    const Walls<2>                   *walls)
     : equation(removed.size(), -1)
   {
     for (unsigned int dof = 0; dof < removed.size(); ++dof)
@@ -59,6 +60,19 @@ namespace Waker
               }
           }
       }
+
+    if (walls != nullptr)
+      walls->for_each_block(
+        [&](const unsigned int i, const unsigned int j, const Tensor<2, 2> &K) {
+          const BackgroundGrid<2> &grid = weights.background_grid();
+          const auto               from = grid.node_index(i);
+          const auto               to   = grid.node_index(j);
+          Block                   &block =
+            blocks[i][(to[1] - from[1] + 2) * 5 + to[0] - from[0] + 2];
+          for (unsigned int c = 0; c < 2; ++c)
+            for (unsigned int d = 0; d < 2; ++d)
+              block[2 * c + d] += K[c][d];
+        });
 
     Eigen::SparseMatrix<double> matrix(dofs.size(), dofs.size());
     matrix.reserve(Eigen::VectorXi::Constant(dofs.size(), 28));

@@ -90,6 +90,10 @@ namespace Waker
     add_internal_force(const NodalVector &increment,
                        NodalVector       &internal) const;
 
+    /// internal -= their force at the start of the step
+    void
+    add_start_force(NodalVector &internal) const;
+
     /// dst += K src
     void
     vmult_add(NodalVector &dst, const NodalVector &src) const;
@@ -186,6 +190,12 @@ namespace Waker
     /// What springs of unit stiffness answer to a displacement.
     Tensor<1, dim>
     held(const Spot &spot, const Tensor<1, dim> &u) const;
+
+    /// internal -= a traction's share
+    void
+    scatter(const Contact        &contact,
+            const Tensor<1, dim> &traction,
+            NodalVector          &internal) const;
 
     /// Traction at the end of the step (kPa).
     Tensor<1, dim>

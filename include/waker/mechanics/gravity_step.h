@@ -2,6 +2,7 @@
 #ifndef waker_mechanics_gravity_step_h
 #define waker_mechanics_gravity_step_h
 
+#include <waker/boundary/wall.h>
 #include <waker/mechanics/stress_update.h>
 #include <waker/nodes/fixities.h>
 #include <waker/nodes/nodal_state.h>
@@ -29,6 +30,7 @@ namespace Waker
    * @param nodes in: mass, external_force (weight and water)
    * @param full_node_mass see NewtonSolver: the norm of the residual is its
    * @param tolerance of the relative residual
+   * @param walls off the grid, in contact; null: none
    */
   template <int dim>
   GravityReport
@@ -38,7 +40,8 @@ namespace Waker
                const double         full_node_mass,
                const double         tolerance,
                NodalState          &nodes,
-               MaterialPoints<dim> &points);
+               MaterialPoints<dim> &points,
+               const Walls<dim>    *walls = nullptr);
 } // namespace Waker
 
 #endif

@@ -2,6 +2,7 @@
 #ifndef waker_mechanics_static_factorisation_h
 #define waker_mechanics_static_factorisation_h
 
+#include <waker/boundary/wall.h>
 #include <waker/mechanics/consistent_tangent.h>
 #include <waker/mechanics/system_operator.h>
 
@@ -23,13 +24,15 @@ namespace Waker
      * @param tangent linearised, its point tangents symmetric (elastic)
      * @param mass of the nodes: those without are left out
      * @param shift relative to the diagonal
+     * @param walls off the grid, in contact; null: none
      * @throws NumericalFailure if the matrix is singular
      */
     StaticFactorisation(const ConsistentTangent<2>       &tangent,
                         const std::vector<unsigned char> &removed,
                         const Springs                    &springs,
                         const std::vector<double>        &mass,
-                        const double                      shift);
+                        const double                      shift,
+                        const Walls<2>                   *walls = nullptr);
 
     /// x = (K + shift diag K)^-1 b; zero where there is no equation.
     void
