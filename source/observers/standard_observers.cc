@@ -99,6 +99,26 @@ namespace Waker
     };
 
 
+    /// Forces of the walls off the grid on the soil; no columns without walls.
+    template <int dim>
+    class WallObserver : public Observer<dim>
+    {
+    public:
+      void
+      observe(const StepView<dim> &view, Row &row) override
+      {
+        const std::vector<std::string> &names = view.walls.names();
+        for (unsigned int w = 0; w < names.size(); ++w)
+          {
+            const Tensor<1, dim> force =
+              view.walls.force(w, view.wall_tractions);
+            for (unsigned int d = 0; d < dim; ++d)
+              row.add("Wall " + names[w] + " " + axis[d] + " (kN)", force[d]);
+          }
+      }
+    };
+
+
     /// Mass and momentum of a body with open faces; no columns without.
     template <int dim>
     class FlowObserver : public Observer<dim>
@@ -161,6 +181,7 @@ namespace Waker
     observers.push_back(std::make_unique<DykeObserver<dim>>());
     observers.push_back(std::make_unique<EnergyObserver<dim>>());
     observers.push_back(std::make_unique<ForceObserver<dim>>());
+    observers.push_back(std::make_unique<WallObserver<dim>>());
     observers.push_back(std::make_unique<FlowObserver<dim>>());
     return observers;
   }

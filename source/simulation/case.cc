@@ -91,15 +91,19 @@ namespace Waker
     scene.set(points);
     scene.tractions.check_something_is_loaded();
     scene.tractions.fix_point_loads(points);
+    initial_wall_tractions.resize(scene.walls.n_spots());
+    scene.walls.reinit(scene.nodes.mass, 0., initial_wall_tractions);
     if (parameters.gravity.initial_stress)
       {
-        gravity_report = gravity_step(materials,
-                                      scene.weights,
-                                      fixities,
-                                      full_node_mass,
-                                      parameters.gravity.tolerance,
-                                      scene.nodes,
-                                      points);
+        gravity_report =
+          gravity_step(materials,
+                       scene.weights,
+                       fixities,
+                       full_node_mass,
+                       parameters.gravity.tolerance,
+                       scene.nodes,
+                       points,
+                       scene.walls.empty() ? nullptr : &scene.walls);
         if (!gravity_report.converged)
           {
             std::ostringstream message;
@@ -111,6 +115,7 @@ namespace Waker
                     << parameters.gravity.tolerance;
             throw NumericalFailure(message.str());
           }
+        scene.walls.accept(scene.nodes.increment, initial_wall_tractions);
       }
 
     else
@@ -159,6 +164,10 @@ namespace Waker
     , tractions(the_case.grid,
                 the_case.parameters.tractions,
                 the_case.user_surfaces)
+    , walls(the_case.grid,
+            the_case.parameters.walls,
+            stiffest_modulus(the_case.materials),
+            the_case.full_node_mass)
     , the_case(&the_case)
     , water_rise(the_case.parameters.water.rise, "Water/Rise")
     , point_loads(the_case.grid)

@@ -198,7 +198,7 @@ namespace Waker
     for (const FixityParameters &fixity : fixities)
       fixity.check(dimension);
     gravity.check();
-    if (gravity.initial_stress && fixities.empty())
+    if (gravity.initial_stress && fixities.empty() && walls.empty())
       throw UserError("Boundary conditions/Names",
                       "no boundary condition carries the soil, so the static "
                       "step for the initial stress has no solution",
@@ -210,6 +210,10 @@ namespace Waker
       load.check(dimension);
     for (const WallParameters &wall : walls)
       wall.check(dimension);
+    if (!walls.empty() && time.scheme == "explicit")
+      throw UserError("Time stepping/Scheme",
+                      "is explicit, but there are walls off the grid",
+                      "Newmark or quasi-static");
     outflow.open_faces(dimension);
     for (const InflowParameters &inflow : inflows)
       inflow.check(dimension);
@@ -220,7 +224,9 @@ namespace Waker
                       "is " + number(surface.threshold),
                       "above 0 and below 1");
 
+    mapping.check();
     time.check();
+    check_time_scheme(time, gravity, mapping);
     newton.check();
     initial_failure.check();
     stop.check();

@@ -32,7 +32,8 @@ namespace Waker
                          the_case.parameters.mapping.objective_rate,
                          the_case.parameters.gravity.acceleration,
                          the_case.full_node_mass,
-                         the_case.parameters.mapping.strain == "logarithmic"}))
+                         the_case.parameters.mapping.strain == "logarithmic",
+                         scene.walls.empty() ? nullptr : &scene.walls}))
   {
     report.kinetic_energy = state.energy.kinetic;
     report.elastic_energy = state.energy.elastic;
@@ -55,8 +56,12 @@ namespace Waker
           throw;
         throw NumericalFailure(error.what());
       }
+    scene.walls.reinit(scene.nodes.mass, state->time, state->wall_tractions);
     if (state->step == 0)
-      scene.set_internal_force(state->points);
+      {
+        scene.set_internal_force(state->points);
+        scene.walls.add_start_force(scene.nodes.internal_force);
+      }
 
     // The width is measured at one level all the time: a rise of the water is
     // no failure.
@@ -100,6 +105,7 @@ namespace Waker
         // The loads at the end of the step, on the surfaces at its start.
         if (scene.loads_move())
           scene.set_loads(state->points, state->time + dt);
+        scene.walls.set_step(state->time, dt);
         report = scheme->solve(
           state->points, scene.weights, state->time, dt, scene.nodes);
         state->newton_iterations += report.newton_iterations;
@@ -122,6 +128,13 @@ namespace Waker
 
     scheme->update_points(
       scene.weights, state->time, dt, scene.nodes, state->points, report);
+    if (!scene.walls.empty())
+      {
+        const auto work = scene.walls.work(scene.nodes.increment);
+        report.support_work += 0.5 * (work.start + work.end);
+        report.reaction +=
+          scene.walls.accept(scene.nodes.increment, state->wall_tractions);
+      }
     if (the_case->parameters.mapping.domains == "stretched")
       report.held_domains =
         stretch_domains(the_case->grid.cell_size(), state->points);
@@ -175,7 +188,9 @@ namespace Waker
             state->energy,
             state->unconverged_steps,
             the_case->flow.is_used() ? &state->flow : nullptr,
-            scene.tractions};
+            scene.tractions,
+            scene.walls,
+            state->wall_tractions};
   }
 
 

@@ -5,6 +5,7 @@
 #include <waker/output/particle_writer.h>
 #include <waker/output/surface_writer.h>
 #include <waker/output/traction_writer.h>
+#include <waker/output/wall_writer.h>
 #include <waker/simulation/recorder.h>
 
 #include <boost/archive/binary_iarchive.hpp>
@@ -30,13 +31,14 @@ namespace Waker
       std::vector<PvdEntry> surfaces;
       std::vector<PvdEntry> grids;
       std::vector<PvdEntry> tractions;
+      std::vector<PvdEntry> walls;
 
       template <typename Archive>
       void
       serialize(Archive &archive, const unsigned int)
       {
         archive &state &next_fields &next_checkpoint &particles &surfaces &grids
-          &tractions;
+          &tractions &walls;
       }
     };
 
@@ -92,6 +94,7 @@ namespace Waker
     , surfaces(parameters.output.directory, "surface")
     , grids(parameters.output.directory, "grid")
     , tractions(parameters.output.directory, "tractions")
+    , walls(parameters.output.directory, "walls")
     , observers(standard_observers<dim>())
     , statistics(std::make_unique<Statistics>(
         join_path(parameters.output.directory, "statistics")))
@@ -107,6 +110,7 @@ namespace Waker
     , surfaces(parameters.output.directory, "surface")
     , grids(parameters.output.directory, "grid")
     , tractions(parameters.output.directory, "tractions")
+    , walls(parameters.output.directory, "walls")
     , observers(standard_observers<dim>())
   {
     const Checkpoint checkpoint = slots.read_latest(resume_warning);
@@ -133,6 +137,7 @@ namespace Waker
     surfaces.restore(progress.surfaces);
     grids.restore(progress.grids);
     tractions.restore(progress.tractions);
+    walls.restore(progress.walls);
     // The row of the checkpoint's step was written before it.
     statistics = std::make_unique<Statistics>(
       join_path(parameters.output.directory, "statistics"), state.step + 1);
@@ -191,6 +196,14 @@ namespace Waker
         write_tractions(view.tractions, view.time, tractions.next_path());
         tractions.add(view.time);
       }
+    if (output.surface && !view.walls.empty())
+      {
+        write_walls(view.walls,
+                    view.wall_tractions,
+                    view.time,
+                    walls.next_path());
+        walls.add(view.time);
+      }
     if (output.grid)
       {
         GridFields fields;
@@ -231,7 +244,8 @@ namespace Waker
                             particles.entries(),
                             surfaces.entries(),
                             grids.entries(),
-                            tractions.entries()};
+                            tractions.entries(),
+                            walls.entries()};
     std::ostringstream bytes;
     {
       boost::archive::binary_oarchive archive(bytes);

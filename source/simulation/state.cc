@@ -45,6 +45,7 @@ namespace Waker
       state.surface_vertices.resize(n_surfaces);
       for (std::vector<Point<dim>> &vertices : state.surface_vertices)
         array(archive, vertices);
+      array(archive, state.wall_tractions);
       archive &state.time &state.step &state.flow &state.energy &state
         .failure &state.rest &state.mean_plastic_strain &state
         .displacement_rate &state.last_dt &state.halvings &state
@@ -83,6 +84,7 @@ namespace Waker
     State<dim> state;
     state.points               = the_case.initial_points;
     state.surface_vertices     = initial_vertices(the_case);
+    state.wall_tractions       = the_case.initial_wall_tractions;
     state.energy.kinetic_start = kinetic_energy(state.points);
     state.energy.kinetic       = state.energy.kinetic_start;
     state.energy.elastic_start =

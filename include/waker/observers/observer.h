@@ -3,6 +3,7 @@
 #define waker_observers_observer_h
 
 #include <waker/boundary/tractions.h>
+#include <waker/boundary/wall.h>
 #include <waker/boundary/water_load.h>
 #include <waker/mechanics/energy.h>
 #include <waker/mechanics/time_scheme.h>
@@ -25,22 +26,24 @@ namespace Waker
   template <int dim>
   struct StepView
   {
-    std::uint64_t                     step; // steps done
-    double                            time; // s
-    double                            dt;   // of the step done, s
-    const BackgroundGrid<dim>        &grid;
-    const MaterialPoints<dim>        &points;
-    const NodalState                 &nodes;
-    const std::vector<double>        &proximity_field;
-    const Surface                    &surface;
-    const std::vector<LoadedSegment> &wetted;
-    const WaterResultant             &water;
-    const FailureRecord              &failure; // with the geometry
-    const StepReport<dim>            &report;
-    const EnergyAccount              &energy;
-    std::uint64_t                     unconverged_steps;
-    const FlowAccount<dim>           *flow; // null without flow
-    const Tractions<dim>             &tractions;
+    std::uint64_t                         step; // steps done
+    double                                time; // s
+    double                                dt;   // of the step done, s
+    const BackgroundGrid<dim>            &grid;
+    const MaterialPoints<dim>            &points;
+    const NodalState                     &nodes;
+    const std::vector<double>            &proximity_field;
+    const Surface                        &surface;
+    const std::vector<LoadedSegment>     &wetted;
+    const WaterResultant                 &water;
+    const FailureRecord                  &failure; // with the geometry
+    const StepReport<dim>                &report;
+    const EnergyAccount                  &energy;
+    std::uint64_t                         unconverged_steps;
+    const FlowAccount<dim>               *flow; // null without flow
+    const Tractions<dim>                 &tractions;
+    const Walls<dim>                     &walls;
+    const typename Walls<dim>::Tractions &wall_tractions; // kPa
   };
 
   /// Where an observer puts its numbers: one column each, the same every step.

@@ -7,6 +7,7 @@
 #include <waker/boundary/surface_finder.h>
 #include <waker/boundary/tractions.h>
 #include <waker/boundary/user_surface.h>
+#include <waker/boundary/wall.h>
 #include <waker/boundary/water_load.h>
 #include <waker/mapping/weights.h>
 #include <waker/mechanics/gravity_step.h>
@@ -43,7 +44,8 @@ namespace Waker
     const Fixities<dim>                 fixities;
     const double        full_node_mass; // Mg, of a node inside the body
     MaterialPoints<dim> initial_points;
-    GravityReport       gravity_report;
+    typename Walls<dim>::Tractions initial_wall_tractions; // kPa
+    GravityReport                  gravity_report;
 
   private:
     void
@@ -104,6 +106,7 @@ namespace Waker
     WaterLoad<dim>     water;
     WaterResultant     water_resultant;
     Tractions<dim>     tractions;
+    Walls<dim>         walls;
 
   private:
     const Case<dim> *the_case;

@@ -64,6 +64,7 @@ namespace Waker
     PvdSeries         surfaces;
     PvdSeries         grids;
     PvdSeries         tractions;
+    PvdSeries         walls;
     std::string       resume_warning;
 
     std::vector<std::unique_ptr<Observer<dim>>> observers;

@@ -3,6 +3,7 @@
 #define waker_simulation_state_h
 
 #include <waker/boundary/tractions.h>
+#include <waker/boundary/wall.h>
 #include <waker/control/stop_rules.h>
 #include <waker/mechanics/energy.h>
 #include <waker/observers/failure_record.h>
@@ -28,6 +29,8 @@ namespace Waker
 
     /// Of the user's surfaces, which the material carries along.
     SurfaceVertices<dim> surface_vertices;
+
+    typename Walls<dim>::Tractions wall_tractions; // kPa
 
     FlowAccount<dim> flow;
     EnergyAccount    energy;
