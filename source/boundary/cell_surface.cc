@@ -184,7 +184,7 @@ namespace Waker
       throw UserError(path,
                       what.str(),
                       "\"volume\" for bodies that lie along the grid; for "
-                      "others Mapping/Functions = GIMP with \"contour\"");
+                      "others GIMP functions with \"contour\"");
     };
     const double filled = share[grid->node(index)];
 

@@ -98,6 +98,7 @@ namespace Waker
   void
   keep_below(const Tensor<1, dim> &n,
              const double          c,
+             const double          tolerance,
              Facets<dim>          &facets,
              Facets<dim>          &work)
   {
@@ -110,7 +111,7 @@ namespace Waker
         for (const Point<dim> &x : facets[f].vertices)
           {
             const double height = n * x - c;
-            all_below           = all_below && height <= 0.;
+            all_below           = all_below && height <= tolerance;
             all_above           = all_above && height >= 0.;
           }
         if (all_below)
@@ -148,7 +149,15 @@ namespace Waker
                Facets<3> &,
                Facets<3> &);
   template void
-  keep_below<2>(const Tensor<1, 2> &, const double, Facets<2> &, Facets<2> &);
+  keep_below<2>(const Tensor<1, 2> &,
+                const double,
+                const double,
+                Facets<2> &,
+                Facets<2> &);
   template void
-  keep_below<3>(const Tensor<1, 3> &, const double, Facets<3> &, Facets<3> &);
+  keep_below<3>(const Tensor<1, 3> &,
+                const double,
+                const double,
+                Facets<3> &,
+                Facets<3> &);
 } // namespace Waker

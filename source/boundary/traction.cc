@@ -33,6 +33,7 @@ namespace Waker
            : parameters.kind == "pressure" ? Kind::pressure
                                            : Kind::hydrostatic)
     , unit_weight(parameters.unit_weight)
+    , tolerance(tolerance)
   {
     const std::string path = "Tractions/" + parameters.name + "/";
     if (kind == Kind::hydrostatic)
@@ -62,11 +63,6 @@ namespace Waker
         has_box = true;
         lower   = Point<dim>(to_tensor<dim>(parameters.from));
         upper   = Point<dim>(to_tensor<dim>(parameters.to));
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            lower[d] -= tolerance;
-            upper[d] += tolerance;
-          }
       }
     if (!parameters.facing.empty())
       {
@@ -93,8 +89,8 @@ namespace Waker
         {
           Tensor<1, dim> axis;
           axis[d] = 1.;
-          keep_below(axis, upper[d], part, work);
-          keep_below(-axis, -lower[d], part, work);
+          keep_below(axis, upper[d], tolerance, part, work);
+          keep_below(-axis, -lower[d], tolerance, part, work);
         }
   }
 
@@ -119,7 +115,7 @@ namespace Waker
       return;
     Tensor<1, dim> up;
     up[1] = 1.;
-    keep_below(up, current_level, part, work);
+    keep_below(up, current_level, 0., part, work);
   }
 
 

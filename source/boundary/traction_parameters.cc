@@ -99,10 +99,10 @@ namespace Waker
     if (method == "volume" && functions != "linear")
       throw UserError(path + "Method",
                       "is volume, which fits the internal force of linear "
-                      "functions, but Mapping/Functions is " +
+                      "functions, but Kinematics and mapping/Functions is " +
                         functions,
                       "contour (which with GIMP is what volume is without), "
-                      "or Mapping/Functions = linear");
+                      "or Kinematics and mapping/Functions = linear");
     const bool on_points =
       method == "fixed points" || method == "updated points";
     if (method == "user surface" && surface_file.empty())

@@ -20,11 +20,13 @@ namespace Waker
             Facets<dim>          &above);
 
 
-  /// The part of the facets at n . x <= c. `work` is overwritten.
+  /// The part of the facets at n . x <= c; one that is nowhere above the plane
+  /// by more than the tolerance (m) stays whole. `work` is overwritten.
   template <int dim>
   void
   keep_below(const Tensor<1, dim> &n,
              const double          c,
+             const double          tolerance,
              Facets<dim>          &facets,
              Facets<dim>          &work);
 } // namespace Waker

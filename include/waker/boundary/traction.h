@@ -65,6 +65,7 @@ namespace Waker
     std::vector<Expression<dim>> expressions; // of a vector or a pressure
     TimeFunction                 level;
     double                       unit_weight;
+    double                       tolerance; // m
 
     bool           has_box = false;
     Point<dim>     lower, upper;  // of the box
