@@ -41,7 +41,7 @@ namespace Waker
       wetted.push_back(facets[f]);
     Tensor<1, 3> up;
     up[1] = 1.;
-    keep_below<3>(up, level, wetted, work);
+    keep_below<3>(up, level, 0., wetted, work);
   }
 
 
