@@ -126,8 +126,13 @@ namespace Waker
           cells.find_active(*points, functions, surface.facets);
         else if (i == 3)
           cells.find_volume(*points, path, surface.facets);
-        else if (i == 1 && dim == 3 && !parameters.prismatic)
+        else if (is_spatial() && i == 1)
           contour.detect(*points, surface.facets);
+        else if (is_spatial())
+          {
+            proximity.detect(*points, surface.facets);
+            has_field = true;
+          }
         else
           surface.facets = extrude(chains(method), *grid);
         surface.is_valid = true;

@@ -81,4 +81,57 @@ namespace Waker
       patches[i].patch_index = i;
     fields.write(patches, time, path);
   }
+
+
+  template <int dim>
+  void
+  write_surface(const Facets<dim>     &surface,
+                const Facets<dim>     &wetted,
+                const WaterParameters &water,
+                const double           time,
+                const std::string     &path)
+  {
+    VtuFields fields;
+    fields.add_scalar("on_face", "");
+    fields.add_scalar("wetted", "");
+    fields.add_scalar("pressure", "kPa");
+
+    std::vector<DataOutBase::Patch<dim - 1, dim>> patches;
+    for (const Facets<dim> *const facets : {&surface, &wetted})
+      for (const Facet<dim> &facet : *facets)
+        {
+          const bool                       is_wet = facets == &wetted;
+          DataOutBase::Patch<dim - 1, dim> patch;
+          patch.reference_cell =
+            dim == 2 ? ReferenceCells::Line : ReferenceCells::Triangle;
+          patch.patch_index = patches.size();
+          patch.data.reinit(fields.n_components(), dim);
+          for (unsigned int v = 0; v < dim; ++v)
+            {
+              const Point<dim> &x = facet.vertices[v];
+              patch.vertices[v]   = x;
+              patch.data(0, v)    = is_wet ? -1 : facet.on_face;
+              patch.data(1, v)    = is_wet;
+              patch.data(2, v) =
+                is_wet ? water.unit_weight * std::max(water.level - x[1], 0.)
+                       : 0.;
+            }
+          patches.push_back(std::move(patch));
+        }
+    fields.write(patches, time, path);
+  }
+
+
+  template void
+  write_surface(const Facets<2> &,
+                const Facets<2> &,
+                const WaterParameters &,
+                const double,
+                const std::string &);
+  template void
+  write_surface(const Facets<3> &,
+                const Facets<3> &,
+                const WaterParameters &,
+                const double,
+                const std::string &);
 } // namespace Waker

@@ -210,7 +210,10 @@ namespace Waker
   {
     set_gravity<dim>(the_case->parameters.gravity.acceleration, nodes);
     water.set_level(water_level(time));
-    water.find_wetted_segments(surfaces.chains());
+    if (!surfaces.is_spatial())
+      water.find_wetted_segments(surfaces.chains());
+    else if (the_case->parameters.water.side != "none")
+      water.find_wetted_facets(surfaces.facets());
     water.add_nodal_forces(nodes.mass,
                            the_case->full_node_mass,
                            nodes.external_force);

@@ -171,8 +171,10 @@ namespace Waker
 
   template <int dim>
   StepView<dim>
-  Realisation<dim>::view() const
+  Realisation<dim>::view()
   {
+    const Facets<dim> *const facets =
+      scene.surfaces.is_spatial() ? &scene.surfaces.facets() : nullptr;
     return {state->step,
             state->time,
             state->last_dt,
@@ -190,7 +192,10 @@ namespace Waker
             the_case->flow.is_used() ? &state->flow : nullptr,
             scene.tractions,
             scene.walls,
-            state->wall_tractions};
+            state->wall_tractions,
+            scene.water_level(state->time),
+            facets,
+            scene.water.wetted_facets()};
   }
 
 

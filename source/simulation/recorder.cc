@@ -184,11 +184,17 @@ namespace Waker
       }
     if (output.surface)
       {
-        write_surface(view.surface,
-                      view.wetted,
-                      parameters->water,
-                      view.time,
-                      surfaces.next_path());
+        WaterParameters water = parameters->water;
+        water.level           = view.water_level;
+        if (view.facets != nullptr)
+          write_surface(*view.facets,
+                        view.wetted_facets,
+                        water,
+                        view.time,
+                        surfaces.next_path());
+        else
+          write_surface(
+            view.surface, view.wetted, water, view.time, surfaces.next_path());
         surfaces.add(view.time);
       }
     if (output.surface && view.tractions.size() > 0)

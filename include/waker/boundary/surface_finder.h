@@ -31,10 +31,24 @@ namespace Waker
     void
     reset(const MaterialPoints<dim> &points);
 
+    /// Is the surface one in space, with facets that are more than chains?
+    bool
+    is_spatial() const
+    {
+      return dim == 3 && !parameters.prismatic;
+    }
+
     /// The chains of the surface that Surface/Method asks for, for water and
     /// observers; in 3D of the body's projection on the x-y plane.
     const Surface &
     chains();
+
+    /// The facets of the same surface.
+    const Facets<dim> &
+    facets()
+    {
+      return facets(parameters.method, "Surface/Method");
+    }
 
     /// The chains as they were found last.
     const Surface &

@@ -44,6 +44,10 @@ namespace Waker
     const Tractions<dim>                 &tractions;
     const Walls<dim>                     &walls;
     const typename Walls<dim>::Tractions &wall_tractions; // kPa
+    double                                water_level;    // m
+    /// The body's own surface in 3D; null in 2D and if it is prismatic.
+    const Facets<dim> *facets;
+    const Facets<dim> &wetted_facets;
   };
 
   /// Where an observer puts its numbers: one column each, the same every step.

@@ -2,6 +2,8 @@
 #ifndef waker_output_surface_writer_h
 #define waker_output_surface_writer_h
 
+#include <waker/boundary/facet.h>
+
 #include <string>
 #include <vector>
 
@@ -27,6 +29,16 @@ namespace Waker
                 const WaterParameters            &water,
                 const double                      time,
                 const std::string                &path);
+
+  /// The same for a surface of facets: lines or triangles, without the field
+  /// chain.
+  template <int dim>
+  void
+  write_surface(const Facets<dim>     &surface,
+                const Facets<dim>     &wetted,
+                const WaterParameters &water,
+                const double           time,
+                const std::string     &path);
 } // namespace Waker
 
 #endif

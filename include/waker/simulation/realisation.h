@@ -37,8 +37,9 @@ namespace Waker
     void
     advance();
 
+    /// What look() has seen. Finds the surface if nothing has needed it yet.
     StepView<dim>
-    view() const;
+    view();
 
     /// The step that advance() would take next (s).
     double
