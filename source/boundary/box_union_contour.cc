@@ -171,6 +171,7 @@ namespace Waker
     segments.assign(n, Segment());
     active.reinit(n);
     active.insert(0);
+    segments[0].next = n;
     chains.start(n);
 
     // The closed faces divide the slabs from the start.
@@ -194,11 +195,33 @@ namespace Waker
   {
     if (!active.contains(r))
       {
-        segments[r]         = segments[active.previous(r)];
-        segments[r].n_edges = 0;
+        const unsigned int below = active.previous(r);
+        segments[r]              = segments[below];
+        segments[r].previous     = below;
+        segments[r].n_edges      = 0;
+        segments[below].next     = r;
+        if (segments[r].next < segments.size())
+          segments[segments[r].next].previous = r;
         active.insert(r);
       }
     ++segments[r].n_edges;
+  }
+
+
+
+  void
+  BoxUnionContour::tidy_breakpoint(const unsigned int r)
+  {
+    const Segment &s = segments[r];
+    if (r == 0 || s.n_edges > 0)
+      return;
+    Segment &below = segments[s.previous];
+    if (below.inside != s.inside || below.before_filling != s.before_filling)
+      return;
+    below.next = s.next;
+    if (s.next < segments.size())
+      segments[s.next].previous = s.previous;
+    active.erase(r);
   }
 
 
@@ -237,30 +260,36 @@ namespace Waker
           return;
       }
 
-    const unsigned int begin = y_ranks[2 * box];
-    const unsigned int end   = y_ranks[2 * box + 1];
-    for (unsigned int r = begin; r < end; r = active.next(r))
+    const unsigned int begin   = y_ranks[2 * box];
+    const unsigned int end     = y_ranks[2 * box + 1];
+    bool               matters = false;
+    for (unsigned int r = begin; r < end; r = segments[r].next)
       {
-        segments[r].n_boxes += boxes;
-        segments[r].n_extensions += extensions;
-        segments[r].n_covers += covers;
+        Segment   &s      = segments[r];
+        const bool before = s.n_boxes > 0;
+        s.n_boxes += boxes;
+        s.n_extensions += extensions;
+        s.n_covers += covers;
+        matters |= !(before && s.n_boxes > 0);
       }
+    // Where a box stays, nothing changes.
+    if (matters)
+      changed.push_back({begin, end});
     if (last)
-      {
-        --segments[begin].n_edges;
-        --segments[end].n_edges;
-      }
-    changed.push_back({begin, end});
+      for (const unsigned int r : {begin, end})
+        if (--segments[r].n_edges == 0)
+          released.push_back(r);
   }
 
 
 
   bool
-  BoxUnionContour::is_solid(const Segment &s) const
+  BoxUnionContour::is_solid(const Segment &s, const bool with_covers) const
   {
-    const bool before = rules.symmetric ? s.before_filling : s.inside;
-    return s.n_boxes > 0 || s.n_covers > 0 ||
-           (s.n_extensions > 0 && (before || at_left_face));
+    const bool before =
+      (rules.symmetric ? s.before_filling : s.inside) || at_left_face;
+    return s.n_boxes > 0 || (s.n_extensions > 0 && before) ||
+           (with_covers && s.n_covers > 0);
   }
 
 
@@ -283,7 +312,7 @@ namespace Waker
         double height = 0.;
         while (range.begin > 0 && height <= limit)
           {
-            const unsigned int below = active.previous(range.begin);
+            const unsigned int below = segments[range.begin].previous;
             if (is_solid(segments[below]))
               break;
             height += y[range.begin] - y[below];
@@ -305,12 +334,16 @@ namespace Waker
             if (range.end == n || height > limit ||
                 is_solid(segments[range.end]))
               break;
-            const unsigned int above = active.next(range.end);
+            const unsigned int above = segments[range.end].next;
             height += y[above] - y[range.end];
             range.end = above;
           }
         evaluate(x, range);
       }
+    for (const unsigned int r : released)
+      if (active.contains(r))
+        tidy_breakpoint(r);
+    released.clear();
     chains.add(edges);
   }
 
@@ -325,17 +358,15 @@ namespace Waker
     unsigned int       run_begin = no_run;
     const auto         end_run   = [&](const unsigned int r) {
       if (run_begin != no_run && y[r] - y[run_begin] <= limit)
-        for (unsigned int s = run_begin; s < r; s = active.next(s))
+        for (unsigned int s = run_begin; s < r; s = segments[s].next)
           segments[s].now = true;
       run_begin = no_run;
     };
-    for (unsigned int r = range.begin; r < range.end; r = active.next(r))
+    for (unsigned int r = range.begin; r < range.end; r = segments[r].next)
       {
-        Segment &s        = segments[r];
-        s.now             = is_solid(s);
-        const bool before = rules.symmetric ? s.before_filling : s.inside;
-        s.before_filling =
-          s.n_boxes > 0 || (s.n_extensions > 0 && (before || at_left_face));
+        Segment &s       = segments[r];
+        s.now            = is_solid(s);
+        s.before_filling = is_solid(s, false);
         if (s.now)
           end_run(r);
         else if (run_begin == no_run)
@@ -343,31 +374,25 @@ namespace Waker
       }
     end_run(range.end);
 
-    // Vertical edges where the state changes, and no breakpoint that divides
-    // nothing any more.
+    // Vertical edges where the state changes.
     ContourChains::Edge *edge = nullptr;
-    for (unsigned int r = range.begin; r < range.end; r = active.next(r))
+    for (unsigned int r = range.begin, next; r < range.end; r = next)
       {
         Segment &s = segments[r];
+        next       = s.next;
         if (s.now == s.inside)
           edge = nullptr;
         else if (edge != nullptr && edge->upwards == s.inside)
-          edge->high = active.next(r);
+          edge->high = next;
         else
           {
-            edges.push_back({x, r, active.next(r), s.inside});
+            edges.push_back({x, r, next, s.inside});
             edge = &edges.back();
           }
         s.inside = s.now;
+        tidy_breakpoint(r);
       }
-    for (unsigned int r = range.begin; r <= range.end && r < segments.size();
-         r              = active.next(r))
-      if (r > 0 && segments[r].n_edges == 0)
-        {
-                       const Segment &below = segments[active.previous(r)];
-                       if (below.inside == segments[r].inside &&
-              below.before_filling == segments[r].before_filling)
-            active.erase(r);
-        }
+    if (range.end < segments.size())
+      tidy_breakpoint(range.end);
   }
 } // namespace Waker

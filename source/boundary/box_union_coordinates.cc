@@ -51,11 +51,10 @@ namespace Waker
 
 
   void
-  RankSet::reinit(const unsigned int new_size)
+  RankSet::reinit(const unsigned int limit)
   {
-    size           = new_size;
     n_levels       = 0;
-    unsigned int n = std::max(size, 1u);
+    unsigned int n = std::max(limit, 1u);
     do
       {
         n = (n + 63) / 64;

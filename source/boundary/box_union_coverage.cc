@@ -13,6 +13,21 @@ namespace Waker
   {
     rules = new_rules;
     choose_lattice(boxes);
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        const double block = bits_per_block * cell[d];
+        inverse_block[d]   = 1. / block;
+        block_origin[d]    = origin[d] + rules.tolerance;
+        searched.lower[d]  = block_origin[d];
+        searched.upper[d]  = origin[d] + (n[d] - 0.5) * block;
+        // Blocks that merely touch a closed face are not searched.
+        if (rules.is_closed(2 * d))
+          searched.lower[d] =
+            std::max(searched.lower[d], rules.lower[d] + 2 * rules.tolerance);
+        if (rules.is_closed(2 * d + 1))
+          searched.upper[d] =
+            std::min(searched.upper[d], rules.upper[d] - 2 * rules.tolerance);
+      }
     mark(boxes);
     mark_beyond_closed_faces();
 
@@ -275,6 +290,32 @@ namespace Waker
 
 
   template <int dim>
+  void
+  BlockCoverage<dim>::open_blocks_at_closed_faces()
+  {
+    for (unsigned int face = 0; face < 2 * dim; ++face)
+      {
+        if (!rules.is_closed(face))
+          continue;
+        const unsigned int d = face / 2;
+        const double place   = face % 2 == 0 ? rules.lower[d] : rules.upper[d];
+        const double line    = (place - origin[d]) * inverse_block[d];
+        const double slack   = rules.tolerance * inverse_block[d];
+        // Blocks before, of and after one layer: number = (k n_d + i) m + j.
+        std::size_t m = 1;
+        for (unsigned int e = 0; e < d; ++e)
+          m *= n[e];
+        for (int i = 0; i < n[d]; ++i)
+          if (i <= line + slack && i + 1 >= line - slack)
+            for (std::size_t first = i * m; first < covered.size();
+                 first += n[d] * m)
+              std::fill_n(covered.begin() + first, m, 0);
+      }
+  }
+
+
+
+  template <int dim>
   Box<dim>
   BlockCoverage<dim>::block(const Index &index) const
   {
@@ -286,58 +327,6 @@ namespace Waker
         box.upper[d]        = origin[d] + (index[d] + 1) * extent;
       }
     return box;
-  }
-
-
-
-  template <int dim>
-  void
-  BlockCoverage<dim>::touched_blocks(const Box<dim> &box,
-                                     Index          &first,
-                                     Index          &last) const
-  {
-    for (unsigned int d = 0; d < dim; ++d)
-      {
-        const double inverse = 1. / (bits_per_block * cell[d]);
-        const double a = (box.lower[d] - rules.tolerance - origin[d]) * inverse;
-        const double b = (box.upper[d] + rules.tolerance - origin[d]) * inverse;
-        first[d]       = static_cast<int>(std::max(a, 0.));
-        last[d]        = std::min(static_cast<int>(std::max(b, 0.)), n[d] - 1);
-      }
-  }
-
-
-
-  template <int dim>
-  bool
-  BlockCoverage<dim>::touches_open_block(const Box<dim> &box) const
-  {
-    Box<dim> cut = box;
-    for (unsigned int d = 0; d < dim; ++d)
-      {
-        if (rules.is_closed(2 * d))
-          cut.lower[d] =
-            std::max(cut.lower[d], rules.lower[d] + 2 * rules.tolerance);
-        if (rules.is_closed(2 * d + 1))
-          cut.upper[d] =
-            std::min(cut.upper[d], rules.upper[d] - 2 * rules.tolerance);
-      }
-    Index first;
-    Index last;
-    touched_blocks(cut, first, last);
-    Index i = last;
-    for (int k = dim == 3 ? first[dim - 1] : 0;
-         k <= (dim == 3 ? last[dim - 1] : 0);
-         ++k)
-      {
-        if (dim == 3)
-          i[dim - 1] = k;
-        for (i[1] = first[1]; i[1] <= last[1]; ++i[1])
-          for (i[0] = first[0]; i[0] <= last[0]; ++i[0])
-            if (!is_covered(i))
-              return true;
-      }
-    return false;
   }
 
 

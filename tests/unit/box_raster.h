@@ -18,8 +18,9 @@ class BoxRaster
 public:
   using Box = Waker::Box<2>;
 
-  BoxRaster(const std::vector<Box> &boxes, const Waker::BoxUnionRules<2> &rules)
+  BoxRaster(std::vector<Box> boxes, const Waker::BoxUnionRules<2> &rules)
   {
+    add_bodies_beyond_closed_faces(boxes, rules);
     for (const Box &box : boxes)
       {
         x.insert(x.end(),
@@ -75,6 +76,14 @@ public:
         slab_before = rules.symmetric ? I : filled;
         inside.push_back(filled);
       }
+
+    for (std::size_t i = 0; i < n_x(); ++i)
+      for (std::size_t k = 0; k < n_y(); ++k)
+        if ((rules.is_closed(0) && x[i] < rules.lower[0]) ||
+            (rules.is_closed(1) && x[i] >= rules.upper[0]) ||
+            (rules.is_closed(2) && y[k] < rules.lower[1]) ||
+            (rules.is_closed(3) && y[k] >= rules.upper[1]))
+          inside[i][k] = 0;
   }
 
   std::size_t
@@ -192,6 +201,29 @@ public:
   std::vector<std::vector<unsigned char>> inside; // [slab][segment]
 
 private:
+  // What lies beyond closed faces counts as body until the contour is drawn.
+  static void
+  add_bodies_beyond_closed_faces(std::vector<Box>              &boxes,
+                                 const Waker::BoxUnionRules<2> &rules)
+  {
+    const double far = 100.;
+    for (unsigned int face = 0; face < 4; ++face)
+      if (rules.is_closed(face))
+        {
+          Box box;
+          for (unsigned int d = 0; d < 2; ++d)
+            {
+              box.lower[d] = -far;
+              box.upper[d] = far;
+            }
+          if (face % 2 == 0)
+            box.upper[face / 2] = rules.lower[face / 2];
+          else
+            box.lower[face / 2] = rules.upper[face / 2];
+          boxes.push_back(box);
+        }
+  }
+
   static int
   rank(const std::vector<double> &values, const double value)
   {

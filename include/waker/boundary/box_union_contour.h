@@ -75,13 +75,15 @@ namespace Waker
     // The segment from a rank of y up to the next active one.
     struct Segment
     {
-      int  n_boxes;        // J
-      int  n_extensions;   // K
-      int  n_covers;       // covered blocks
-      int  n_edges;        // at its lower end
-      bool before_filling; // I without the covered blocks
-      bool inside;         // I*, of the slab before until it is evaluated
-      bool now;            // I*
+      unsigned int next; // active breakpoints
+      unsigned int previous;
+      int          n_boxes;        // J
+      int          n_extensions;   // K
+      int          n_covers;       // covered blocks
+      int          n_edges;        // at its lower end
+      bool         before_filling; // I without the covered blocks
+      bool         inside;         // I*, of the slab before until evaluated
+      bool         now;            // I*
     };
 
     struct Range
@@ -108,9 +110,14 @@ namespace Waker
     void
     open_breakpoint(const unsigned int y);
 
-    // Is the segment inside before the vertical gaps are filled?
+    // Remove it if no edge is there and it divides nothing.
+    void
+    tidy_breakpoint(const unsigned int y);
+
+    // I, with or without the covered blocks: is the segment inside before the
+    // vertical gaps are filled?
     bool
-    is_solid(const Segment &segment) const;
+    is_solid(const Segment &segment, const bool with_covers = true) const;
 
     // Find the state of all segments that a change at this x can reach.
     void
@@ -129,11 +136,12 @@ namespace Waker
     std::vector<unsigned int> y_ranks; // low and high of each in swept
     ContourChains::FaceRanks  faces;
 
-    RankSet              active;   // ranks of y with a breakpoint
-    std::vector<Segment> segments; // by rank of y
-    std::vector<double>  y;        // by rank of y, from -infinity to infinity
-    bool                 at_left_face;
-    std::vector<Range>   changed;
+    RankSet                   active;   // ranks of y with a breakpoint
+    std::vector<Segment>      segments; // by rank of y
+    std::vector<double>       y; // by rank of y, from -infinity to infinity
+    bool                      at_left_face;
+    std::vector<Range>        changed;
+    std::vector<unsigned int> released; // breakpoints
 
     std::vector<ContourChains::Edge> edges;
     ContourChains                    chains;

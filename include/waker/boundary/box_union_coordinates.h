@@ -59,14 +59,14 @@ namespace Waker
 
 
 
-  /// A set of numbers below a limit, with the neighbours of a number in a few
+  /// A set of numbers below a limit, with the next smaller one found in a few
   /// operations: a tree of bits with 64 branches at each node.
   class RankSet
   {
   public:
     /// Make it empty, for numbers below `size`.
     void
-    reinit(const unsigned int size);
+    reinit(const unsigned int limit);
 
     bool
     contains(const unsigned int r) const
@@ -87,24 +87,6 @@ namespace Waker
       for (unsigned int l = 0; l < n_levels; ++l, r >>= 6)
         if ((levels[l][r >> 6] &= ~(std::uint64_t(1) << (r & 63u))) != 0)
           return;
-    }
-
-    /// The smallest number above r, or `size`.
-    unsigned int
-    next(unsigned int r) const
-    {
-      for (unsigned int l = 0; l < n_levels; ++l, r >>= 6)
-        {
-          const std::uint64_t above = levels[l][r >> 6] & ~std::uint64_t(1)
-                                                            << (r & 63u);
-          if (above == 0)
-            continue;
-          r = (r & ~63u) | __builtin_ctzll(above);
-          while (l-- > 0)
-            r = r << 6 | __builtin_ctzll(levels[l][r]);
-          return r;
-        }
-      return size;
     }
 
     /// The largest number below r. There must be one.
@@ -129,7 +111,6 @@ namespace Waker
 
     std::array<std::vector<std::uint64_t>, max_levels> levels;
     unsigned int                                       n_levels = 0;
-    unsigned int                                       size     = 0;
   };
 } // namespace Waker
 

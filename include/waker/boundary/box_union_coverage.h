@@ -4,6 +4,7 @@
 
 #include <waker/boundary/box_union.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -37,10 +38,27 @@ namespace Waker
     void
     reinit(const std::vector<Box<dim>> &boxes, const BoxUnionRules<dim> &rules);
 
+    /// Count the blocks that a closed face touches as not covered.
+    void
+    open_blocks_at_closed_faces();
+
     /// Does the box, as far as it lies within the closed faces, touch a block
     /// that is not covered?
     bool
-    touches_open_block(const Box<dim> &box) const;
+    touches_open_block(const Box<dim> &box) const
+    {
+      Index first;
+      Index last;
+      touched_blocks(box, first, last);
+      Index i = first;
+      do
+        {
+          for (i[0] = first[0]; i[0] <= last[0]; ++i[0])
+            if (!is_covered(i))
+              return true;
+      } while (next_row(first, last, i));
+      return false;
+    }
 
     /// The covered blocks, those in a row along x as one box.
     void
@@ -64,9 +82,33 @@ namespace Waker
     Box<dim>
     block(const Index &index) const;
 
-    /// The first and last block that a box touches.
+    /// The first and last block that a box touches, as far as it lies within
+    /// the closed faces.
     void
-    touched_blocks(const Box<dim> &box, Index &first, Index &last) const;
+    touched_blocks(const Box<dim> &box, Index &first, Index &last) const
+    {
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          const double a = std::max(box.lower[d], searched.lower[d]);
+          const double b = std::min(box.upper[d], searched.upper[d]);
+          first[d] = static_cast<int>((a - block_origin[d]) * inverse_block[d]);
+          last[d]  = static_cast<int>((b - origin[d] + rules.tolerance) *
+                                     inverse_block[d]);
+        }
+    }
+
+    /// The next row of blocks in a range, from any of the last one.
+    static bool
+    next_row(const Index &first, const Index &last, Index &row)
+    {
+      for (unsigned int d = 1; d < dim; ++d)
+        {
+          if (row[d]++ < last[d])
+            return true;
+          row[d] = first[d];
+        }
+      return false;
+    }
 
   private:
     std::size_t
@@ -99,11 +141,14 @@ namespace Waker
 
     static constexpr int bits_per_block = 8;
 
-    BoxUnionRules<dim>   rules;
-    Point<dim>           origin;
-    Tensor<1, dim>       cell; // extent of a small cell, m
-    Index                n;    // blocks
-    std::size_t          words_per_row;
+    BoxUnionRules<dim> rules;
+    Point<dim>         origin;
+    Point<dim>         block_origin;  // a tolerance above the origin
+    Tensor<1, dim>     inverse_block; // 1/m
+    Box<dim>           searched; // between the closed faces, within all blocks
+    Tensor<1, dim>     cell;     // extent of a small cell, m
+    Index              n;        // blocks
+    std::size_t        words_per_row;
     std::array<int, dim> n_lines; // small cells
 
     // Bits of the small cells, x fastest, each row in whole words.
