@@ -122,6 +122,7 @@ class Nodes:
 
 
 def write_text(path, text):
+    os.makedirs(os.path.dirname(path), exist_ok=True)
     temporary = path + ".tmp"
     with open(temporary, "w", encoding="utf-8") as file:
         file.write(text)
@@ -152,7 +153,6 @@ def save(figure, name):
 def save_numbers(study, numbers):
     """Keep what the table of the page is made of: numbers/<study>.json."""
     path = os.path.join(RESULTS, "numbers", study + ".json")
-    os.makedirs(os.path.dirname(path), exist_ok=True)
     write_text(path, json.dumps(numbers, indent=1) + "\n")
     for key, value in numbers.items():
         print(f"    {key}: {value}", flush=True)

@@ -3,8 +3,6 @@
 """A thick cylinder that the grid cuts anyhow: how fast the error of each method
 falls with the cell size."""
 
-import os
-
 import numpy as np
 from common import (METHODS, Runs, parse_arguments, plt, save, save_data,
                     save_numbers)
@@ -43,7 +41,6 @@ def exact(x):
 def errors(runs, placement, method, cells):
     """Errors in the volume's L2 norm: displacement, stress."""
     corners = outline()
-    os.makedirs(runs.path("cylinder"), exist_ok=True)
     sets = {"Grid/Cell size": repr(1 / cells),
             "Grid/Upper corner": f"{B + 2 / cells!r}, {B + 2 / cells!r}",
             "Material points/Placement": placement,

@@ -19,7 +19,6 @@ VARIANTS = {
 
 def main():
     runs = Runs(parse_arguments(__doc__))
-    os.makedirs(runs.path("dyke"), exist_ok=True)
     numbers, columns = {}, {}
     times = np.arange(0, 7.51, 0.05)
     figure, axis = plt.subplots(figsize=(7, 4))

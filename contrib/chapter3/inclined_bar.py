@@ -3,45 +3,65 @@
 """Figures 3.5 to 3.7: error of the nodal forces of a bar with an inclined side,
 at 50 places on the grid and for several angles; and the same bar in 3D."""
 
-import os
-
 import numpy as np
 from common import (METHODS, Nodes, Runs, parse_arguments, plt, save, save_data,
                     save_numbers, write_text)
 
 HEIGHT = 3.0
 LENGTH = 6.0  # at the base, m, for tan(theta) up to 1
+EXACT = ["points", "nodes", "surface", "contour"]
 ALL = ["points", "nodes", "surface", "detected", "contour"]
 
 
-def corners_of(tangent, offset):
-    length = max(LENGTH, HEIGHT * tangent + 3.0)
-    return [(offset, 0.0), (offset + length, 0.0), (offset + length, HEIGHT),
-            (offset + HEIGHT * tangent, HEIGHT)]
+def corners_of(tangent, offset, height=HEIGHT):
+    length = max(LENGTH, height * tangent + 3.0)
+    return [(offset, 0.0), (offset + length, 0.0), (offset + length, height),
+            (offset + height * tangent, height)]
 
 
-def errors_of(nodes, tangent, methods=ALL, width=1.0):
-    """{method: (E_Fx, E_Fy)}, eqs. (3.6) and (3.7), over the active nodes."""
-    internal = nodes["internal_force"][nodes.active]
+def polygon(corners):
+    return "; ".join(f"{x!r}, {y!r}" for x, y in corners)
+
+
+def errors_of(nodes, tangent, methods, rest, width=1.0):
+    """{method: (E_Fx, E_Fy)}, eqs. (3.6) and (3.7), over the active nodes: the
+    force of a method on the inclined side, the top and the base, and that on
+    the other sides, against the internal force."""
     result = {}
     for method in methods:
-        difference = np.abs(nodes.force(method)[nodes.active] - internal)
+        # Points and nodes carry the inclined side only.
+        side_only = method in ("points", "nodes")
+        parts = [method] + ["top", "base"] * side_only + rest
+        difference = np.abs(sum(nodes.force(part) for part in parts)
+                            - nodes["internal_force"])[nodes.active]
         total = difference.sum(axis=0) / (HEIGHT * width)
         result[method] = (float(total[0]), float(total[1] / tangent))
     return result
 
 
-def evaluate(runs, tangent, offset):
+QUIET = {"Output/Particles": "false", "Output/Surface": "false"}
+
+
+def evaluate(runs, tangent, offset, detected=True):
     corners = corners_of(tangent, offset)
     label = f"inclined_bar/{tangent:g}-{offset:.3f}"
-    os.makedirs(runs.path("inclined_bar"), exist_ok=True)
     chain = runs.write_chain(label + "-chain", corners)
-    sets = {"Soil profile/bar/Polygon":
-            "; ".join(f"{x!r}, {y!r}" for x, y in corners),
+    sets = {"Soil profile/bar/Polygon": polygon(corners),
             "Tractions/points/Surface file": chain,
             "Tractions/surface/Surface file": chain,
-            "Output/Particles": "false", "Output/Surface": "false"}
-    return errors_of(Nodes(runs.run(label, "inclined_bar.prm", sets)), tangent)
+            "Tractions/top/Surface file": chain,
+            "Tractions/base/Surface file": chain,
+            **QUIET}
+    errors = errors_of(Nodes(runs.run(label, "inclined_bar.prm", sets)),
+                       tangent, EXACT, ["end"])
+    if detected:
+        sets = {"Soil profile/bar/Polygon":
+                polygon(corners_of(tangent, offset, 3 * HEIGHT)), **QUIET}
+        nodes = Nodes(runs.run(label + "-detected",
+                               "inclined_bar_detected.prm", sets))
+        errors.update(errors_of(nodes, tangent, ["detected"],
+                                ["below", "above", "base", "end"]))
+    return errors
 
 
 def write_prism(path, corners, z0, z1):
@@ -67,17 +87,20 @@ def write_prism(path, corners, z0, z1):
 def evaluate_3d(runs, tangent, offset, extent):
     corners = corners_of(tangent, offset)
     label = f"inclined_bar_3d/{tangent:g}-{offset:.3f}-{extent[0]:g}"
-    os.makedirs(runs.path("inclined_bar_3d"), exist_ok=True)
     surface = runs.path(label + ".stl")
     write_prism(surface, corners, *extent)
-    sets = {"Soil profile/bar/Polygon":
-            "; ".join(f"{x!r}, {y!r}" for x, y in corners),
+    sets = {"Soil profile/bar/Polygon": polygon(corners),
             "Soil profile/bar/Extent": f"{extent[0]!r}, {extent[1]!r}",
             "Tractions/points/Surface file": surface,
             "Tractions/surface/Surface file": surface,
-            "Output/Particles": "false", "Output/Surface": "false"}
-    return errors_of(Nodes(runs.run(label, "inclined_bar_3d.prm", sets)),
-                     tangent, width=extent[1] - extent[0])
+            "Tractions/top/Surface file": surface,
+            "Tractions/base/Surface file": surface,
+            "Tractions/nodes/From": f"-2, 0, {extent[0]!r}",
+            "Tractions/nodes/To": f"14, 2.999999, {extent[1]!r}",
+            **QUIET}
+    nodes = Nodes(runs.run(label, "inclined_bar_3d.prm", sets))
+    return errors_of(nodes, tangent, EXACT,
+                     ["end", "front", "back"], extent[1] - extent[0])
 
 
 def statistics(errors):

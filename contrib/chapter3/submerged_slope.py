@@ -71,7 +71,6 @@ def distance_to(segments, places):
 
 
 def run_all(runs):
-    os.makedirs(runs.path("submerged_slope"), exist_ok=True)
     result = {}
     for name, (method, surface) in RUNS.items():
         sets = {"Tractions/water/Method": method, "Surface/Method": surface}

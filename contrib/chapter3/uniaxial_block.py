@@ -3,8 +3,6 @@
 """A block that a traction of 1 kPa pulls on: sigma_xx must be 1 kPa in every
 point. All methods, standard MPM and GIMP, ends on and off a line of the grid."""
 
-import os
-
 import numpy as np
 from common import (METHODS, Runs, parse_arguments, plt, save, save_data,
                     save_numbers)
@@ -21,7 +19,6 @@ CASES = [(functions, method)
 def stress(runs, functions, method, end):
     """Position along the block and sigma_xx of each point."""
     corners = [(0.0, 0.0), (end, 0.0), (end, 1.0), (0.0, 1.0)]
-    os.makedirs(runs.path("uniaxial_block"), exist_ok=True)
     chain = runs.write_chain(f"uniaxial_block/chain-{end:g}", corners)
     sets = {"Soil profile/block/Polygon":
             "; ".join(f"{x!r}, {y!r}" for x, y in corners),
@@ -44,6 +41,8 @@ def main():
     figure, axes = plt.subplots(2, len(ENDS), figsize=(12, 6.5), sharey=True)
     for functions, method in CASES:
         for k, end in enumerate(ENDS):
+            if method == "volume" and end == 4.7:
+                continue  # 9 points of 0.522 m: cells more than full
             x, sigma = stress(runs, functions, method, end)
             for row in zip(x.tolist(), sigma.tolist()):
                 for key, value in zip(columns, (functions, method, end, *row)):
@@ -53,7 +52,7 @@ def main():
                 "least": float(sigma.min()), "largest": float(sigma.max()),
                 "largest error": float(error.max()),
                 "share within 1 %": float((error < 0.01).mean())}
-            axis = axes[functions == "GIMP"][k]
+            axis = axes[int(functions == "GIMP"), k]
             label, colour, _ = METHODS[method]
             axis.plot(x, sigma, "o", markersize=3 if method != "points" else 5,
                       color=colour, label=label, alpha=0.8)
