@@ -26,10 +26,10 @@ namespace Waker
    *
    * The outer toe, with the water on the left, is the left end of the body's
    * contact with the closed bottom of the grid. If the body also leans against
-   * the closed left wall, it is the point where its surface leaves the wall; if
-   * it touches no bottom, its lowest vertex, the left one of several. A body
-   * that does not reach the level is loaded until it meets a closed face again,
-   * other than that wall. Water on the right: mirrored.
+   * the closed left wall, it is the point where its surface leaves the wall. A
+   * body that touches no bottom floats: it is wet on both sides of its lowest
+   * vertex. One that does not reach the level is loaded until it meets a closed
+   * face again, other than that wall. Water on the right: mirrored.
    *
    * @param level of the water (m)
    * @param cell_size of the grid (m), for tolerances
@@ -53,8 +53,8 @@ namespace Waker
    * body's contact with the closed bottom, in each slice of the width of a cell
    * along z. Where this contact begins at the closed left wall, it is the
    * lowest line where the surface leaves the wall. A body that touches no
-   * bottom is loaded from its lowest vertex, the left one of several. Closed
-   * faces are not loaded.
+   * bottom floats: it is wet from its lowest vertex on. Closed faces are not
+   * loaded.
    *
    * Facets may come from anywhere, as long as they are closed and meet as
    * FacetLinks can see. Keeps its work arrays from call to call.
