@@ -165,8 +165,11 @@ namespace WakerBenchmarks
     {
       for (auto _ : timer)
         {
+          // Chains for the observers, facets for the water.
           m.scene.surfaces.reset(m.points);
           m.scene.surfaces.chains();
+          if (m.scene.surfaces.is_spatial())
+            m.scene.surfaces.facets();
         }
     }
 
@@ -179,7 +182,10 @@ namespace WakerBenchmarks
       force.reinit(m.scene.nodes.external_force);
       for (auto _ : timer)
         {
-          m.scene.water.find_wetted_segments(m.scene.surfaces.chains());
+          if (m.scene.surfaces.is_spatial())
+            m.scene.water.find_wetted_facets(m.scene.surfaces.facets());
+          else
+            m.scene.water.find_wetted_segments(m.scene.surfaces.chains());
           m.scene.water.add_nodal_forces(m.scene.nodes.mass,
                                          m.the_case.full_node_mass,
                                          force);
