@@ -90,9 +90,9 @@ TEST(SimulationFlow, MassAndMomentumBalancesClose)
   // 3 m have entered; the front was 1 m away from the open face.
   EXPECT_NEAR(flow.mass_in, 3. * 18. / 9.81, 1e-12 * scale);
   EXPECT_NEAR(flow.mass_out, 2. * 18. / 9.81, 0.3 * 18. / 9.81);
-  EXPECT_EQ(flow.points_in, 24u);
+  EXPECT_EQ(flow.points_in, 48u);
   EXPECT_EQ(state.points.n_points(),
-            the_case.initial_points.n_points() + 24 - flow.points_out);
+            the_case.initial_points.n_points() + 48 - flow.points_out);
   // Ids go on.
   EXPECT_EQ(state.points.id.back() + 1, flow.next_id);
   EXPECT_LT(std::abs(state.energy.remainder()), 0.01 * state.energy.inflow);
@@ -133,12 +133,12 @@ TEST(SimulationFlow, BadInput)
 {
   EXPECT_EQ(where({}), "");
   EXPECT_EQ(where({"Inflow/mouth/Material=sand"}), "Inflow/mouth/Material");
-  EXPECT_EQ(where({"Inflow/mouth/Velocity=0"}), "Inflow/mouth/Velocity");
-  EXPECT_EQ(where({"Inflow/mouth/To=0,0"}), "Inflow/mouth/To");
+  EXPECT_EQ(where({"Inflow/mouth/Velocity=0"}), "--set Inflow/mouth/Velocity");
+  EXPECT_EQ(where({"Inflow/mouth/To=0,0"}), "--set Inflow/mouth/To");
   EXPECT_EQ(where({"Inflow/mouth/Face=bottom", "Inflow/mouth/To=1,0"}),
             "Inflow/mouth/Face"); // the base holds it
   EXPECT_EQ(where({"Outflow/Faces=right,left"}), "Inflow/mouth/Face");
   EXPECT_EQ(where({"Outflow/Faces=bottom"}), "Outflow/Faces");
-  EXPECT_EQ(where({"Outflow/Faces=upwards"}), "Outflow/Faces");
+  EXPECT_EQ(where({"Outflow/Faces=upwards"}), "--set Outflow/Faces");
   EXPECT_EQ(where({"Time stepping/Scheme=explicit"}), "Time stepping/Scheme");
 }
