@@ -60,6 +60,10 @@ namespace WakerBenchmarks
   void
   register_weak_dyke();
 
+  /// The contour of support domains, of growing bodies and of the dyke.
+  void
+  register_contour();
+
   /// Realisations of the base case of chapter 5.
   void
   register_campaign();

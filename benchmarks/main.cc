@@ -21,6 +21,7 @@ main(int argc, char **argv)
 
   register_weak_dyke();
   register_campaign();
+  register_contour();
   register_steps<2>(Size::small);
   register_kernels<2>(Size::small);
   register_steps<2>(Size::large);

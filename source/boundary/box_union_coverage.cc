@@ -70,15 +70,17 @@ namespace Waker
         std::size_t n_words = 1;
         for (unsigned int d = 0; d < dim; ++d)
           {
-            // Lines of blocks on a lattice through rules.lower, with one block
-            // to spare at either end.
+            // Lines of blocks on a lattice through rules.lower, with blocks to
+            // spare at either end for a gap between a box and a closed face.
             const double block = bits_per_block * cell[d];
+            const double spare = 1. + std::floor(rules.minimum_gap[d] / block);
             const double first =
-              std::floor((lower[d] - rules.lower[d]) / block);
-            origin[d]           = rules.lower[d] + (first - 1) * block;
-            const double blocks = std::ceil((upper[d] - origin[d]) / block) + 1;
-            n[d]                = static_cast<int>(std::min(blocks, 1e6));
-            n_lines[d]          = bits_per_block * n[d];
+              std::floor((lower[d] - rules.lower[d]) / block) - spare;
+            origin[d] = rules.lower[d] + first * block;
+            const double blocks =
+              std::ceil((upper[d] - origin[d]) / block) + spare;
+            n[d]       = static_cast<int>(std::min(blocks, 1e6));
+            n_lines[d] = bits_per_block * n[d];
             if (d == 0)
               words_per_row = (n_lines[0] + 63) / 64;
             n_words *= (d == 0) ? words_per_row : n_lines[d];
@@ -281,9 +283,11 @@ namespace Waker
                         j * bits_per_block + b) *
                          words_per_row +
                        w];
-            const int end = std::min<int>(8, n[0] - 8 * int(w));
+            constexpr int           per_word = 64 / bits_per_block;
+            constexpr std::uint64_t full     = (1u << bits_per_block) - 1;
+            const int end = std::min<int>(per_word, n[0] - per_word * int(w));
             for (int i = 0; i < end; ++i)
-              *block++ = (all >> (8 * i) & 0xff) == 0xff;
+              *block++ = (all >> (bits_per_block * i) & full) == full;
           }
   }
 

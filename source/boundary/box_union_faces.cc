@@ -213,8 +213,10 @@ namespace Waker
         for (unsigned int i = 0; i < l.size(); ++i)
           line_of_rank[d][l[i]] = i;
 
-        block_begin[d]       = line_of_rank[d][begin];
-        block_end[d]         = line_of_rank[d][end];
+        block_begin[d] = line_of_rank[d][begin];
+        block_end[d]   = line_of_rank[d][end];
+        near_begin[d]  = block_begin[d] > 0 ? block_begin[d] - 1 : 0;
+        near_end[d]    = std::min<unsigned int>(block_end[d] + 1, l.size() - 1);
         const auto face_line = [&](const unsigned int r) {
           return line_of_rank[d][std::min(std::max(r, lowest), highest)];
         };
@@ -287,8 +289,18 @@ namespace Waker
     const unsigned int a      = (direction + 1) % 3;
     const unsigned int b      = (direction + 2) % 3;
     const unsigned int stride = strides[direction];
-    for (unsigned int i = 0; i + 1 < lines[a].size(); ++i)
-      for (unsigned int j = 0; j + 1 < lines[b].size(); ++j)
+    const auto         is_filled_later = [&](const unsigned int d) {
+      return d == 1 || (d == 2 && direction == 0);
+    };
+    // Only what the later directions and the faces need.
+    const unsigned int begin_a = is_filled_later(a) ? 0 : near_begin[a];
+    const unsigned int begin_b = is_filled_later(b) ? 0 : near_begin[b];
+    const unsigned int end_a =
+      is_filled_later(a) ? lines[a].size() - 1 : near_end[a];
+    const unsigned int end_b =
+      is_filled_later(b) ? lines[b].size() - 1 : near_end[b];
+    for (unsigned int i = begin_a; i < end_a; ++i)
+      for (unsigned int j = begin_b; j < end_b; ++j)
         {
           unsigned char *const row =
             inside.data() + i * strides[a] + j * strides[b];

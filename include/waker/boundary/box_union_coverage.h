@@ -15,12 +15,13 @@ namespace Waker
    * Which blocks of space boxes certainly cover once their gaps are filled, so
    * that the search for the contour can skip them.
    *
-   * A block has 8^dim small cells, a box of the smallest size four in each
-   * direction: with two boxes per cell of a grid, the blocks are the grid's
-   * cells. The cells that single boxes cover are marked as bits, and gaps in
-   * rows of bits are filled along x, then z, then y, if they have at most as
-   * many bits as fit into the minimum gap. Both steps err on the open side
-   * only. A block of which all bits are set is covered.
+   * Space is divided into small cells, four to the smallest box in each
+   * direction. A block has 8 x 8 of them in 2D: with two boxes per cell of a
+   * grid, the blocks are the grid's cells. In 3D it has 4 x 4 x 4. The cells
+   * that single boxes cover are marked as bits, and gaps in rows of bits are
+   * filled along x, then z, then y, if they have at most as many bits as fit
+   * into the minimum gap. Both steps err on the open side only. A block of
+   * which all bits are set is covered.
    *
    * Let S be the filled body by the slab method, X its slabs before vertical
    * gaps are filled and C the covered blocks. C lies in S: a horizontal gap of
@@ -139,7 +140,7 @@ namespace Waker
     void
     find_covered_blocks();
 
-    static constexpr int bits_per_block = 8;
+    static constexpr int bits_per_block = dim == 2 ? 8 : 4;
 
     BoxUnionRules<dim> rules;
     Point<dim>         origin;

@@ -105,6 +105,8 @@ namespace Waker
     std::array<std::vector<unsigned int>, 3> line_of_rank;
     Ranks                                    block_begin;
     Ranks                                    block_end;
+    Ranks                                    near_begin; // and one more cell
+    Ranks                                    near_end;
     Ranks                                    open_begin;
     Ranks                                    open_end;
     Ranks                                    strides;
