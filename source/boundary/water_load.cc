@@ -39,6 +39,7 @@ namespace Waker
       Waker::find_wetted_segments(surface,
                                   parameters.side == "left",
                                   parameters.level,
+                                  grid->lower_corner()[1],
                                   grid->cell_size(),
                                   wetted);
   }
@@ -60,6 +61,7 @@ namespace Waker
         finder->find(surface,
                      parameters.side == "left",
                      parameters.level,
+                     grid->lower_corner()[1],
                      grid->cell_size(),
                      facets);
       }

@@ -10,17 +10,18 @@ namespace Waker
 {
   namespace
   {
-    constexpr int    bottom     = 2;
-    constexpr double far        = std::numeric_limits<double>::max();
-    constexpr double link_limit = 1e-6; // of facets that meet, in cells
-    constexpr double tie        = 1e-9; // of a crest with the level, in cells
-  }                                     // namespace
+    constexpr int    bottom_face = 2;
+    constexpr double far         = std::numeric_limits<double>::max();
+    constexpr double link_limit  = 1e-6; // of facets that meet, in cells
+    constexpr double tie         = 1e-9; // of a crest with the level, in cells
+  }                                      // namespace
 
 
   void
   WettedFacets::find(const Facets<3> &facets,
                      const bool       water_left,
                      const double     level,
+                     const double     bottom,
                      const double     cell_size,
                      Facets<3>       &wetted)
   {
@@ -32,7 +33,8 @@ namespace Waker
 
     finder.find(facets, link_limit * cell_size, links);
     find_body(facets);
-    start_at_toe(facets, water_left, cell_size);
+    set_contacts(facets, bottom, cell_size);
+    start_at_toe(water_left, cell_size);
     if (reached.empty())
       start_at_lowest(facets, water_left, cell_size);
     flood(facets, level - tie * cell_size);
@@ -64,9 +66,34 @@ namespace Waker
 
 
   void
-  WettedFacets::start_at_toe(const Facets<3> &facets,
-                             const bool       water_left,
+  WettedFacets::set_contacts(const Facets<3> &facets,
+                             const double     bottom,
                              const double     cell_size)
+  {
+    contacts.resize(facets.size());
+    bool is_on_bottom = false;
+    for (unsigned int f = 0; f < facets.size(); ++f)
+      {
+        contacts[f] = facets[f].on_face;
+        is_on_bottom =
+          is_on_bottom || (part[f] == body && contacts[f] == bottom_face);
+      }
+    if (is_on_bottom)
+      return;
+
+    for (unsigned int f = 0; f < facets.size(); ++f)
+      {
+        const auto  &v       = facets[f].vertices;
+        const double highest = std::max({v[0][1], v[1][1], v[2][1]});
+        if (contacts[f] < 0 && facets[f].normal[1] < -0.5 &&
+            highest < bottom + cell_size)
+          contacts[f] = bottom_face;
+      }
+  }
+
+
+  void
+  WettedFacets::start_at_toe(const bool water_left, const double cell_size)
   {
     const int    wall = water_left ? 0 : 1;
     const double side = water_left ? 1. : -1.;
@@ -92,8 +119,8 @@ namespace Waker
     const auto visit = [&](const int kind, const int other, const auto &f) {
       for (const FacetLink &link : links)
         for (unsigned int i = 0; i < 2; ++i)
-          if (facets[link.facets[i]].on_face == kind &&
-              facets[link.facets[1 - i]].on_face == other)
+          if (contacts[link.facets[i]] == kind &&
+              contacts[link.facets[1 - i]] == other)
             {
               const auto z = std::minmax({link.from[2], link.to[2]});
               for (unsigned int k = slice(z.first); k <= slice(z.second); ++k)
@@ -107,12 +134,12 @@ namespace Waker
       return std::min(link.from[1], link.to[1]);
     };
 
-    visit(bottom,
+    visit(bottom_face,
           -1,
           [&](unsigned int, const unsigned int k, const auto &link) {
             outermost[k] = std::min(outermost[k], x_of(link));
           });
-    visit(bottom,
+    visit(bottom_face,
           wall,
           [&](unsigned int, const unsigned int k, const FacetLink &) {
             at_wall[k] = 1;
@@ -121,7 +148,7 @@ namespace Waker
       lowest[k] = std::min(lowest[k], y_of(link));
     });
 
-    visit(bottom,
+    visit(bottom_face,
           -1,
           [&](const unsigned int f, const unsigned int k, const auto &link) {
             if (!at_wall[k] && x_of(link) <= outermost[k])
@@ -147,7 +174,7 @@ namespace Waker
       if (part[f] == body)
         {
           // On the bottom, but all of the contact is at closed faces: dry.
-          if (facets[f].on_face == bottom)
+          if (contacts[f] == bottom_face)
             return;
           for (const Point<3> &x : facets[f].vertices)
             lowest_point = std::min(lowest_point, x[1]);
@@ -157,7 +184,7 @@ namespace Waker
     double       outer = far;
     unsigned int start = facets.size();
     for (unsigned int f = 0; f < facets.size(); ++f)
-      if (part[f] == body && facets[f].on_face < 0)
+      if (part[f] == body && contacts[f] < 0)
         for (const Point<3> &x : facets[f].vertices)
           if (x[1] <= lowest_point + 0.25 * cell_size && side * x[0] < outer)
             {
@@ -189,8 +216,7 @@ namespace Waker
 
     // Neighbours of each free facet, through lines that lie below somewhere.
     const auto is_open = [&](const FacetLink &link) {
-      return facets[link.facets[0]].on_face < 0 &&
-             facets[link.facets[1]].on_face < 0 &&
+      return contacts[link.facets[0]] < 0 && contacts[link.facets[1]] < 0 &&
              std::min(link.from[1], link.to[1]) < limit;
     };
     first_neighbour.assign(facets.size() + 1, 0);

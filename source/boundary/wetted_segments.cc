@@ -11,13 +11,14 @@ namespace Waker
     struct Toe
     {
       std::size_t vertex;
-      bool        is_on_bottom;
+      bool        floats;
     };
 
 
     Toe
     find_toe(const SurfaceChain &chain,
              const bool          water_left,
+             const double        bottom_height,
              const double        cell_size)
     {
       constexpr int     bottom = 2;
@@ -37,7 +38,7 @@ namespace Waker
               toe = end;
           }
       if (toe < n)
-        return {toe, true};
+        return {toe, false};
 
       // The lowest vertex; the detected line of a flat underside scatters.
       double lowest = chain.vertices[0][1];
@@ -48,7 +49,7 @@ namespace Waker
         if (chain.vertices[k][1] <= lowest + tolerance &&
             (toe == n || outer(k, toe)))
           toe = k;
-      return {toe, false};
+      return {toe, lowest > bottom_height + cell_size};
     }
 
 
@@ -116,6 +117,7 @@ namespace Waker
   find_wetted_segments(const Surface              &surface,
                        const bool                  water_left,
                        const double                level,
+                       const double                bottom,
                        const double                cell_size,
                        std::vector<LoadedSegment> &wetted)
   {
@@ -126,13 +128,13 @@ namespace Waker
     // With the water on the left, up the outer slope is against the chain.
     const SurfaceChain &chain     = surface.chains[0];
     const double        tolerance = 1e-9 * cell_size;
-    const Toe           toe       = find_toe(chain, water_left, cell_size);
-    const int           wall      = water_left ? 0 : 1;
+    const Toe           toe  = find_toe(chain, water_left, bottom, cell_size);
+    const int           wall = water_left ? 0 : 1;
     const bool          is_round =
       walk(chain, toe.vertex, water_left, wall, level, tolerance, wetted);
 
     // A body that floats is wet on the other side too.
-    if (!toe.is_on_bottom && !is_round)
+    if (toe.floats && !is_round)
       walk(chain, toe.vertex, !water_left, -1, level, tolerance, wetted);
   }
 } // namespace Waker

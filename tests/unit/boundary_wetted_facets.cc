@@ -268,6 +268,22 @@ TEST(Boundary, water_on_facets_equals_that_on_a_prismatic_body)
 
 
 
+// A body that hovers over the bottom stands on it: no water comes under it.
+TEST(Boundary, water_in_3d_stays_out_of_a_slit)
+{
+  const auto         grid = make_grid();
+  constexpr unsigned free = 1 | 2 | 4 | 8;
+  Facets<3>          facets;
+  add_box(facets, Point<3>(2, 0.2, 0), Point<3>(8, 3, 4), free, 0);
+  add_box(facets, Point<3>(2, 0.2, 0), Point<3>(8, 3, 4), 48, side_faces);
+  WaterLoad<3> load(grid, water("left", 2.2));
+  load.find_wetted_facets(facets);
+  EXPECT_NEAR(load.spatial_resultant().force[0], 2. * gamma_w * 4., 1e-10);
+  EXPECT_NEAR(load.spatial_resultant().force[1], 0., 1e-10);
+}
+
+
+
 // On a detected dyke: the thrust is exact, what lies behind the crest is dry,
 // and a gap in the crest lets the water in.
 TEST(Boundary, water_in_3d_comes_through_a_gap)

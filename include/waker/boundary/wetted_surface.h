@@ -27,18 +27,22 @@ namespace Waker
    * The outer toe, with the water on the left, is the left end of the body's
    * contact with the closed bottom of the grid. If the body also leans against
    * the closed left wall, it is the point where its surface leaves the wall. A
-   * body that touches no bottom floats: it is wet on both sides of its lowest
-   * vertex. One that does not reach the level is loaded until it meets a closed
-   * face again, other than that wall. Water on the right: mirrored.
+   * body that touches no bottom starts at its lowest vertex, the left one of
+   * several; if that is more than a cell above the bottom, the body floats and
+   * is wet on both sides of it. One that does not reach the level is loaded
+   * until it meets a closed face again, other than that wall. Water on the
+   * right: mirrored.
    *
    * @param level of the water (m)
-   * @param cell_size of the grid (m), for tolerances
+   * @param bottom height of the lower side of the grid's box (m)
+   * @param cell_size of the grid (m)
    * @param wetted overwritten, from the toe up
    */
   void
   find_wetted_segments(const Surface              &surface,
                        const bool                  water_left,
                        const double                level,
+                       const double                bottom,
                        const double                cell_size,
                        std::vector<LoadedSegment> &wetted);
 
@@ -53,8 +57,9 @@ namespace Waker
    * body's contact with the closed bottom, in each slice of the width of a cell
    * along z. Where this contact begins at the closed left wall, it is the
    * lowest line where the surface leaves the wall. A body that touches no
-   * bottom floats: it is wet from its lowest vertex on. Closed faces are not
-   * loaded.
+   * bottom, but comes within a cell of it, stands on what of its underside is
+   * as low. One that is higher up floats: it is wet from its lowest vertex on.
+   * Closed faces are not loaded.
    *
    * Facets may come from anywhere, as long as they are closed and meet as
    * FacetLinks can see. Keeps its work arrays from call to call.
@@ -67,6 +72,7 @@ namespace Waker
     find(const Facets<3> &facets,
          const bool       water_left,
          const double     level,
+         const double     bottom,
          const double     cell_size,
          Facets<3>       &wetted);
 
@@ -75,11 +81,16 @@ namespace Waker
     void
     find_body(const Facets<3> &facets);
 
+    // Which faces of the grid the facets close the body against. One that
+    // hovers over the bottom: the low part of its underside does.
+    void
+    set_contacts(const Facets<3> &facets,
+                 const double     bottom,
+                 const double     cell_size);
+
     // Put the facets at the toe on the list `reached`.
     void
-    start_at_toe(const Facets<3> &facets,
-                 const bool       water_left,
-                 const double     cell_size);
+    start_at_toe(const bool water_left, const double cell_size);
     void
     start_at_lowest(const Facets<3> &facets,
                     const bool       water_left,
@@ -97,6 +108,7 @@ namespace Waker
     std::vector<unsigned int>  part;
     std::vector<double>        volumes;
     unsigned int               body = 0;  // number of its part
+    std::vector<int>           contacts;  // on_face of each facet, or -1
     std::vector<double>        outermost; // of each slice: x, towards the water
     std::vector<double>        lowest;    // of each slice: y on the wall
     std::vector<unsigned char> at_wall;   // of each slice
