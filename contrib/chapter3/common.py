@@ -76,10 +76,12 @@ class Runs:
         values = {"Output/Checkpoint interval": 0, **sets}
         for key, value in values.items():
             arguments += ["--set", f"{key}={value}"]
-        stamp = os.path.join(folder, "arguments.json")
+        with open(arguments[1], encoding="utf-8") as stream:
+            inputs = {"arguments": arguments, "file": stream.read()}
+        stamp = os.path.join(folder, "inputs.json")
         if not self.again and os.path.exists(stamp):
             with open(stamp, encoding="utf-8") as stream:
-                if json.load(stream) == arguments:
+                if json.load(stream) == inputs:
                     return Run(folder)
         shutil.rmtree(folder, ignore_errors=True)
         # MPI looks for no other processes: a run starts in half the time.
@@ -90,7 +92,7 @@ class Runs:
         if done.returncode != 0 and not (may_fail and done.returncode == 3):
             sys.exit(f"{self.waker} {' '.join(arguments)}\nended with "
                      f"{done.returncode}:\n{done.stdout}{done.stderr}")
-        write_text(stamp, json.dumps(arguments))
+        write_text(stamp, json.dumps(inputs))
         return Run(folder)
 
 

@@ -159,11 +159,12 @@ def slope_loads_table():
     entry = load_numbers("submerged_slope")["points"]
     loads = {key: value for key, value in entry.items()
              if key.startswith("loads at")}
-    return table(["", "loaded points", "mean depth (m)", "deepest (m)",
-                  "deeper than 0.5 m"],
+    return table(["", "loaded points", "mean height of soil above (m)",
+                  "largest (m)", "under more than 0.5 m"],
                  [[key, value["loaded_points"],
-                   f"{value['mean_depth_m']:.2f}", f"{value['deepest_m']:.2f}",
-                   value["deeper_than_a_cell"]]
+                   f"{value['mean_cover_m']:.2f}",
+                   f"{value['largest_cover_m']:.2f}",
+                   value["under_more_than_a_cell"]]
                   for key, value in loads.items()])
 
 
