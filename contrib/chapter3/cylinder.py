@@ -10,6 +10,9 @@ from common import (METHODS, Runs, parse_arguments, plt, save, save_data,
 A, B, PRESSURE, E, NU = 1.0, 2.0, 1.0, 1e6, 0.3
 CHORDS = 180
 CELLS = (4, 6, 8, 12, 16, 24, 32)  # per metre
+# Placement of the points, and the share of a full mass below which a node
+# carries no load.
+VARIANTS = (("sub-cells", 0.0), ("sub-cells", 0.02), ("rows", 0.02))
 NAMES = {"points": "fixed points", "nodes": "surface nodes",
          "surface": "user surface", "detected": "proximity field",
          "contour": "contour"}
@@ -38,7 +41,7 @@ def exact(x):
     return u[:, None] * np.stack([c, s], axis=1), stress
 
 
-def errors(runs, placement, method, cells):
+def errors(runs, placement, support, method, cells):
     """Errors in the volume's L2 norm: displacement, stress."""
     corners = outline()
     sets = {"Grid/Cell size": repr(1 / cells),
@@ -47,12 +50,13 @@ def errors(runs, placement, method, cells):
             "Soil profile/cylinder/Polygon":
             "; ".join(f"{x!r}, {y!r}" for x, y in corners),
             "Tractions/pressure/Method": NAMES[method],
+            "Tractions/pressure/Minimum support": support,
             "Tractions/pressure/Surface file":
             runs.write_chain("cylinder/chain", corners)
             if method in ("points", "surface") else "",
             "Output/Grid": "false", "Output/Interval": 0}
-    run = runs.run(f"cylinder/{placement}-{method}-{cells}", "cylinder.prm",
-                   sets)
+    run = runs.run(f"cylinder/{placement}-{support:g}-{method}-{cells}",
+                   "cylinder.prm", sets)
     points = run.points()
     start = points["position"][:, :2] - points["displacement"][:, :2]
     u, sigma = exact(start)
@@ -77,23 +81,24 @@ def order(cells, values):
 def main():
     runs = Runs(parse_arguments(__doc__))
     numbers = {}
-    columns = {"placement": [], "method": [], "cells_per_m": [],
+    columns = {"placement": [], "minimum_support": [], "method": [], "cells_per_m": [],
                "displacement_error": [], "stress_error": []}
-    figure, axes = plt.subplots(2, 2, figsize=(10, 7.5), sharex=True)
-    for row, placement in zip(axes, ("sub-cells", "rows")):
+    figure, axes = plt.subplots(3, 2, figsize=(10, 10.5), sharex=True)
+    for row, (placement, support) in zip(axes, VARIANTS):
         for method in NAMES:
-            values = np.array([errors(runs, placement, method, n)
+            values = np.array([errors(runs, placement, support, method,
+                                      n)
                                for n in CELLS])
             for n, (u, sigma) in zip(CELLS, values.tolist()):
-                for key, value in zip(columns, (placement, method, n, u,
-                                                sigma)):
+                for key, value in zip(columns, (placement, support, method,
+                                                n, u, sigma)):
                     columns[key].append(value)
             label, colour, line = METHODS[method]
             for k, axis in enumerate(row):
                 axis.loglog(1 / np.array(CELLS), values[:, k], color=colour,
                             linestyle=line, marker="o", markersize=3,
                             label=label)
-            numbers[f"{placement}, {method}"] = {
+            numbers[f"{placement}, {support:g}, {method}"] = {
                 "displacement": float(values[-1, 0]),
                 "stress": float(values[-1, 1]),
                 "order of displacement": order(CELLS, values[:, 0]),
@@ -104,9 +109,10 @@ def main():
                 row[k].loglog(h, 0.05 * (h / h[0])**power, color="grey",
                               linewidth=0.8, linestyle="-")
             row[k].set_ylabel(f"relative error of {name}")
-            row[k].set_title(f"placement: {placement}", fontsize=9)
+            row[k].set_title(f"{placement}, minimum support {support:g}",
+                             fontsize=9)
     axes[0, 0].legend(fontsize=7)
-    for axis in axes[1]:
+    for axis in axes[-1]:
         axis.set_xlabel("cell size (m); grey: orders 1 and 2")
     figure.tight_layout()
     save_data("cylinder", columns)

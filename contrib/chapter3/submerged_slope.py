@@ -171,8 +171,8 @@ def draw_stresses(all_runs, field, name):
 
 def draw_failure(all_runs, times=(2.0, 4.5, 7.0)):
     """Figure 3.18: the slide, by deviatoric stress."""
-    figure, axes = plt.subplots(len(times), 3, figsize=(15, 2.6 * len(times)),
-                             sharex=True, sharey=True)
+    figure, axes = plt.subplots(len(times), 3, figsize=(14, 1.9 * len(times)),
+                             sharex=True, sharey=True, layout="constrained")
     for column, (name, run) in zip(axes.T, all_runs.items()):
         for axis, wanted in zip(column, times):
             time = run.frame(wanted)[0]

@@ -134,12 +134,13 @@ def cylinder_table():
     numbers = load_numbers("cylinder")
     rows = []
     for case, entry in numbers.items():
-        placement, method = case.split(", ")
-        rows.append([placement, ROWS[method],
+        placement, support, method = case.split(", ")
+        rows.append([placement, support, ROWS[method],
                      percent(entry["displacement"]), percent(entry["stress"]),
                      f"{entry['order of displacement']:.2f}",
                      f"{entry['order of stress']:.2f}"])
-    return table(["placement", "method", "error of displacement, h = 1/32 m",
+    return table(["placement", "minimum support", "method",
+                  "error of displacement, h = 1/32 m",
                   "of stress", "order of displacement", "of stress"], rows)
 
 
