@@ -83,11 +83,22 @@ namespace Waker
               "step is more accurate, and converges better",
               cfl);
       }
+    else if (p.time.scheme == "quasi-static")
+      say(log,
+          "  time      quasi-static, %.3g load steps of %g s",
+          std::ceil(p.time.end_time / p.time.time_step * (1. - 1e-12)),
+          p.time.time_step);
     else
       say(log,
           "  time      explicit, dt about %.2g s (c_p = %.3g m/s)",
           p.time.courant_number * h / c,
           c);
+    for (const TractionParameters &traction : p.tractions)
+      say(log,
+          "  traction  %s: %s on %s",
+          traction.name.c_str(),
+          traction.kind.c_str(),
+          traction.method.c_str());
     if (p.points.points_per_direction == 1)
       say(log,
           "  WARNING   one point per cell and direction: stresses will be "

@@ -125,6 +125,64 @@ check 'validate' '^--set' 'outside' -- \
 check 'strength reduction' '^--set' 'the lower factor' -- \
   strength-reduction "$good" --set 'Strength reduction/Upper factor=0.1'
 
+# Tractions: traction NAME ENTRY VALUE WHAT [further arguments]
+traction()
+{
+  name=$1 entry=$2 value=$3 what=$4
+  shift 4
+  check "$name" "^--set Tractions/load/$entry\$" "$what" -- \
+    run "$good" --set 'Tractions/Names=load' \
+    --set "Tractions/load/$entry=$value" "$@"
+}
+printf '8 1\n20 1\n15 5\n' > open.txt
+printf '8 1\n20 4\n20 1\n8 4\n8 1\n' > crossing.txt
+printf '8 1\n15 4\n20 1\n8 1\n' > clockwise.txt
+printf '8 1\n50 1\n15 4\n8 1\n' > outside.txt
+for shape in open crossing clockwise outside missing; do
+  case $shape in
+    open) what='is open' ;;
+    crossing) what='crosses' ;;
+    clockwise) what='wrong side' ;;
+    outside) what='outside the grid' ;;
+    missing) what='cannot be read' ;;
+  esac
+  traction "user surface: $shape" 'Surface file' "$shape.txt" "$what" \
+    --set 'Tractions/load/Method=user surface'
+done
+check 'no user surface' 'Tractions/load/Surface file' 'is empty' -- \
+  run "$good" --set 'Tractions/Names=load' \
+  --set 'Tractions/load/Method=user surface'
+traction 'volume with GIMP' 'Method' 'volume' 'linear' # fits MPM only
+traction 'volume of a slope' 'Method' 'volume' 'cannot be placed' \
+  --set 'Kinematics and mapping/Functions=linear'
+traction 'no such method' 'Method' 'surface' '"surface"'
+traction 'file for contour' 'Surface file' 'open.txt' 'contour'
+traction 'two pressures' 'Value' '1; 2' '2 numbers'
+traction 'vector' 'Value' '1' '1 numbers' --set 'Tractions/load/Kind=vector'
+traction 'no expression' 'Value' '1 +' 'cannot be read'
+traction 'table' 'Level' '0: 1, 0: 2' 'does not come after' \
+  --set 'Tractions/load/Kind=hydrostatic'
+traction 'level below the surface' 'Level' '-1' 'no part of the surface' \
+  --set 'Tractions/load/Kind=hydrostatic'
+traction 'nothing there' 'Method' 'contour' 'no part of the surface' \
+  --set 'Tractions/load/From=-5, 3' --set 'Tractions/load/To=-4, 4'
+traction 'half a box' 'From' '1, 1, 1' '3 numbers' \
+  --set 'Tractions/load/To=2, 2'
+check 'level without a surface' 'Tractions/load/Level' 'is empty' -- \
+  run "$good" --set 'Tractions/Names=load' \
+  --set 'Tractions/load/Kind=hydrostatic'
+check 'unnamed traction' '^--set Tractions/Names' 'no subsection' -- \
+  run "$good" --set 'Tractions/Names=load, wind' \
+  --set 'Tractions/load/Value=1'
+set_value 'gaps as wide as domains' 'Surface/Minimum gap width' 1 '1'
+set_value 'rise' 'Water/Rise' '0: 0, 2' 'no pair'
+check 'point load nowhere' '^--set Point loads/p/From' 'no point' -- \
+  run "$good" --set 'Point loads/Names=p' --set 'Point loads/p/Force=0, 1' \
+  --set 'Point loads/p/From=-5, 3' --set 'Point loads/p/To=-4, 4'
+check 'point load' '^--set Point loads/p/Force' '1 numbers' -- \
+  run "$good" --set 'Point loads/Names=p' --set 'Point loads/p/Force=1' \
+  --set 'Point loads/p/From=-5, 3'
+
 # The output folder. Root may write anywhere, but not below a file.
 touch file
 set_value 'below a file' 'Output/Directory' file/output 'file'

@@ -50,7 +50,8 @@ namespace Waker
     State<dim>                      *state;
     Scene<dim>                       scene;
     std::unique_ptr<TimeScheme<dim>> scheme;
-    StepReport<dim>                  report; // of the last step
+    StepReport<dim>                  report;      // of the last step
+    NodalVector                      start_force; // external, kN
   };
 } // namespace Waker
 
