@@ -2,6 +2,7 @@
 #include <waker/boundary/facet_links.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <tuple>
@@ -39,84 +40,83 @@ namespace Waker
 
     // Coordinates in units of the tolerance. The shift keeps the usual ones,
     // multiples of a cell's part, away from where rounding changes.
+    using Rounded         = std::array<std::uint64_t, 3>;
     const Point<3> origin = facets[0].vertices[0];
     const double   scale  = 1. / tolerance;
-    const auto     round  = [=](const Point<3> &x, const unsigned int d) {
-      return static_cast<std::uint64_t>(
-        std::llround((x[d] - origin[d]) * scale + 0.17));
-    };
-    const auto key_of = [&](const Point<3> &x) {
-      return combine(combine(round(x, 0), round(x, 1)), round(x, 2));
+    const auto     round  = [=](const Point<3> &x) {
+      Rounded r;
+      for (unsigned int d = 0; d < 3; ++d)
+        r[d] = static_cast<std::uint64_t>(static_cast<std::int64_t>(
+          std::floor((x[d] - origin[d]) * scale + 0.67)));
+      return r;
     };
 
     sides.clear();
+    entries.clear();
     for (unsigned int f = 0; f < facets.size(); ++f)
-      for (unsigned int k = 0; k < 3; ++k)
-        {
-          Side side;
-          side.facet          = f;
-          side.from           = facets[f].vertices[k];
-          side.to             = facets[f].vertices[(k + 1) % 3];
-          const auto   along  = side.to - side.from;
-          unsigned int n_same = 0, axis = 0;
-          for (unsigned int d = 0; d < 3; ++d)
-            if (round(side.from, d) == round(side.to, d))
-              ++n_same;
-            else
-              axis = d;
-          if (n_same == 3)
-            continue;
-          if (n_same == 2)
-            {
-              const unsigned int e = (axis + 1) % 3;
-              side.keys[0]         = combine(axis, round(side.from, e));
-              side.keys[1]         = round(side.from, (axis + 2) % 3);
-              if (along[axis] < 0)
-                std::swap(side.from, side.to);
-              side.begin = side.from[axis];
-              side.end   = side.to[axis];
-            }
-          else
-            {
-              side.keys[0] = key_of(side.from);
-              side.keys[1] = key_of(side.to);
-              if (side.keys[0] > side.keys[1])
-                {
-                  std::swap(side.keys[0], side.keys[1]);
+      {
+        const auto   &v    = facets[f].vertices;
+        const Rounded r[3] = {round(v[0]), round(v[1]), round(v[2])};
+        for (unsigned int k = 0; k < 3; ++k)
+          {
+            const unsigned int k1   = (k + 1) % 3;
+            Side               side = {v[k], v[k1], 0., f};
+            Entry entry = {0, 0., static_cast<unsigned int>(sides.size())};
+            unsigned int n_same = 0, axis = 0;
+            for (unsigned int d = 0; d < 3; ++d)
+              if (r[k][d] == r[k1][d])
+                ++n_same;
+              else
+                axis = d;
+            if (n_same == 3)
+              continue;
+            if (n_same == 2)
+              {
+                entry.line = combine(combine(axis, r[k][(axis + 1) % 3]),
+                                     r[k][(axis + 2) % 3]);
+                if (side.from[axis] > side.to[axis])
                   std::swap(side.from, side.to);
-                }
-              side.begin = 0.;
-              side.end   = along.norm();
-            }
-          sides.push_back(side);
-        }
+                entry.begin = side.from[axis];
+                side.end    = side.to[axis];
+              }
+            else
+              {
+                // The lower vertex first.
+                const bool     is_up = r[k] < r[k1];
+                const Rounded &a     = is_up ? r[k] : r[k1];
+                const Rounded &b     = is_up ? r[k1] : r[k];
+                for (unsigned int d = 0; d < 3; ++d)
+                  entry.line = combine(combine(entry.line, a[d]), b[d]);
+                if (!is_up)
+                  std::swap(side.from, side.to);
+                side.end = side.from.distance(side.to);
+              }
+            sides.push_back(side);
+            entries.push_back(entry);
+          }
+      }
 
-    order.resize(sides.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::sort(order.begin(),
-              order.end(),
-              [&](const unsigned a, const unsigned b) {
-                const auto rank = [](const Side &s) {
-                  return std::tie(s.keys[0], s.keys[1], s.begin, s.facet);
-                };
-                return rank(sides[a]) < rank(sides[b]);
+    std::sort(entries.begin(),
+              entries.end(),
+              [](const Entry &a, const Entry &b) {
+                return std::tie(a.line, a.begin, a.side) <
+                       std::tie(b.line, b.begin, b.side);
               });
 
     // Sweep along each line.
-    const Side *last = nullptr;
-    for (const unsigned int s : order)
+    open.clear();
+    for (std::size_t e = 0; e < entries.size(); ++e)
       {
-        const Side &side = sides[s];
-        if (last == nullptr || last->keys[0] != side.keys[0] ||
-            last->keys[1] != side.keys[1])
+        const Entry &entry = entries[e];
+        const Side  &side  = sides[entry.side];
+        if (e > 0 && entries[e - 1].line != entry.line)
           open.clear();
-        last = &side;
 
         std::size_t n_open = 0;
         for (const unsigned int o : open)
           {
             const Side &other = sides[o];
-            if (other.end <= side.begin + tolerance)
+            if (other.end <= entry.begin + tolerance)
               continue;
             open[n_open++] = o;
             if (other.facet != side.facet)
@@ -125,7 +125,7 @@ namespace Waker
                                side.end < other.end ? side.to : other.to});
           }
         open.resize(n_open);
-        open.push_back(s);
+        open.push_back(entry.side);
       }
   }
 

@@ -38,18 +38,25 @@ namespace Waker
          std::vector<FacetLink> &links);
 
   private:
-    // A side of a triangle, on a line that the keys name: a line along an axis,
-    // or one through two vertices.
+    // A side of a triangle.
     struct Side
     {
-      std::uint64_t keys[2];
-      double        begin, end; // along the line
-      Point<3>      from, to;   // in this order along the line
-      unsigned int  facet;
+      Point<3>     from, to; // in the direction of the line
+      double       end;      // along the line, as Entry::begin
+      unsigned int facet;
+    };
+
+    // What the sides are sorted by: the line (one along an axis, or that
+    // through two vertices), and where they begin on it.
+    struct Entry
+    {
+      std::uint64_t line;
+      double        begin;
+      unsigned int  side;
     };
 
     std::vector<Side>         sides;
-    std::vector<unsigned int> order;
+    std::vector<Entry>        entries;
     std::vector<unsigned int> open; // sides that the sweep has not passed yet
   };
 
