@@ -4,6 +4,7 @@
 
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>
+#include <array>
 #include <cmath>
 
 namespace Waker
@@ -12,7 +13,11 @@ namespace Waker
   {
     constexpr int reach  = 2;             // nodes, in each direction
     constexpr int period = 2 * reach + 1; // of the unit entries
-  }                                       // namespace
+
+    /// A domain that reaches 1e-8 of a cell into the next one, by round-off
+    /// and what follows from it, does not touch that cell's nodes.
+    constexpr double smallest_share = 1e-16; // of the largest diagonal
+  }                                          // namespace
 
 
   template <int dim>
@@ -22,7 +27,9 @@ namespace Waker
     Eigen::SparseMatrix<double>                  matrix;
     Eigen::SparseLU<Eigen::SparseMatrix<double>> lu;
     Eigen::VectorXd                              rhs, solution;
-    std::vector<std::array<int, dim>>            index; // of the nodes
+    double                                       shift = 0.;
+    std::vector<double>               scale; // 1 / sqrt(D) of each equation
+    std::vector<std::array<int, dim>> index; // of the nodes
     std::array<std::vector<unsigned int>, (dim == 2 ? 25 : 125)> colours;
   };
 
@@ -50,23 +57,26 @@ namespace Waker
     Factors &f = *factors;
     dst        = 0.;
     A.add_diagonal(dst);
+    const double largest = dst.linfty_norm();
     equation.assign(grid->n_dofs(), -1);
     dofs.clear();
     f.entries.clear();
+    f.scale.clear();
+    f.shift = shift;
     for (auto &colour : f.colours)
       colour.clear();
     for (unsigned int node = 0; node < grid->n_nodes(); ++node)
       {
         bool there = false;
         for (unsigned int dof = dim * node; dof < dim * (node + 1); ++dof)
-          if (const double entry = dst.begin()[dof]; entry != 0.)
+          if (const double entry = dst.begin()[dof];
+              std::abs(entry) > smallest_share * largest)
             {
               there         = true;
               equation[dof] = dofs.size();
               dofs.push_back(dof);
-              f.entries.emplace_back(equation[dof],
-                                     equation[dof],
-                                     shift * std::abs(entry));
+              f.scale.push_back(1. / std::sqrt(std::abs(entry)));
+              f.entries.emplace_back(equation[dof], equation[dof], shift);
             }
         if (!there)
           continue;
@@ -119,7 +129,7 @@ namespace Waker
                 continue;
               const int k = equation[dim * grid->node(column) + c];
               if (k >= 0)
-                f.entries.emplace_back(e, k, value);
+                f.entries.emplace_back(e, k, f.scale[e] * value * f.scale[k]);
             }
         }
 
@@ -134,16 +144,21 @@ namespace Waker
 
   template <int dim>
   void
-  DirectSolver<dim>::solve(NodalVector &x, const NodalVector &b)
+  DirectSolver<dim>::solve(NodalVector &x, NodalVector &b)
   {
     Factors &f = *factors;
     f.rhs.resize(dofs.size());
     for (unsigned int e = 0; e < dofs.size(); ++e)
-      f.rhs[e] = b.begin()[dofs[e]];
+      f.rhs[e] = f.scale[e] * b.begin()[dofs[e]];
+    f.solution = f.lu.solve(f.rhs);
+    f.rhs -= f.shift * f.solution;
     f.solution = f.lu.solve(f.rhs);
     x          = 0.;
     for (unsigned int e = 0; e < dofs.size(); ++e)
-      x.begin()[dofs[e]] = f.solution[e];
+      {
+        x.begin()[dofs[e]] = f.scale[e] * f.solution[e];
+        b.begin()[dofs[e]] = f.rhs[e] / f.scale[e];
+      }
   }
 
 

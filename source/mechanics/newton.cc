@@ -19,7 +19,47 @@ namespace Waker
 
     /// Added to a factorised stiffness, relative to its diagonal. Small next to
     /// the softest motion that counts, the bending of a slender body: 1e-7.
-    constexpr double relative_shift = 1e-9;
+    constexpr double relative_shift = 1e-10;
+
+    /// More of the residual than this in motions without stiffness is no
+    /// matter of hardly touched nodes.
+    constexpr double unsolvable_limit = 1e-4;
+
+
+    /// A stiffness and that of hardly touched nodes.
+    template <int dim>
+    class GhostedOperator : public Operator
+    {
+    public:
+      GhostedOperator(const Operator &K, const GhostStiffness<dim> &ghost)
+        : K(K)
+        , ghost(ghost)
+      {}
+
+      void
+      vmult(NodalVector &dst, const NodalVector &src) const override
+      {
+        K.vmult(dst, src);
+        ghost.add_force(src, dst);
+      }
+
+      void
+      add_diagonal(NodalVector &diagonal) const override
+      {
+        K.add_diagonal(diagonal);
+        ghost.add_diagonal(diagonal);
+      }
+
+      bool
+      is_symmetric() const override
+      {
+        return K.is_symmetric();
+      }
+
+    private:
+      const Operator            &K;
+      const GhostStiffness<dim> &ghost;
+    };
 
 
     /// A stiffness that conjugate gradients may try, though it is only nearly
@@ -56,13 +96,14 @@ namespace Waker
 
 
   template <int dim>
-  NewtonSolver<dim>::NewtonSolver(const Weights<dim>     &weights,
-                                  const Fixities<dim>    &fixities,
-                                  const NewtonParameters &parameters,
-                                  const double            full_node_mass,
-                                  const Springs          &springs,
-                                  const LinearMethod      method,
-                                  const Walls<dim>       *walls)
+  NewtonSolver<dim>::NewtonSolver(const Weights<dim>        &weights,
+                                  const Fixities<dim>       &fixities,
+                                  const NewtonParameters    &parameters,
+                                  const double               full_node_mass,
+                                  const Springs             &springs,
+                                  const LinearMethod         method,
+                                  const Walls<dim>          *walls,
+                                  const GhostStiffness<dim> *ghost)
     : fixities(&fixities)
     , parameters(parameters)
     , full_node_mass(full_node_mass)
@@ -75,6 +116,8 @@ namespace Waker
     , correction(weights.background_grid().n_dofs())
     , method(method)
     , walls(walls)
+    , wall_force(walls != nullptr ? weights.background_grid().n_dofs() : 0)
+    , ghost(ghost)
   {
     if (dim == 2 && method == LinearMethod::direct)
       direct_solver =
@@ -116,7 +159,8 @@ namespace Waker
 
     const double               inverse_full = 1. / full_node_mass;
     const unsigned char *const removed      = fixities->removed().data();
-    double                     sum = 0., reference = 0., terms = 0.;
+    double                     sum = 0., terms = 0.;
+    reference = 0.;
     for (const auto &run : reached)
       for (std::size_t i = run.begin; i < run.end; ++i)
         {
@@ -139,12 +183,40 @@ namespace Waker
                 }
             }
         }
+    // With walls the internal force is less theirs, and may be nothing else.
+    if (walls != nullptr)
+      for (const auto &run : reached)
+        for (std::size_t i = run.begin; i < run.end; ++i)
+          for (unsigned int c = 0; c < dim; ++c)
+            {
+              const double force = wall_force.begin()[dim * i + c];
+              const double square =
+                std::min(1., nodes.mass[i] * inverse_full) * force * force;
+              terms += square;
+              if (!removed[dim * i + c])
+                reference += square;
+            }
     // Not a number is not small: comparisons with it are false, and a residual
     // of 0 would pass for converged.
     if (!std::isfinite(sum) || !std::isfinite(terms))
       return std::numeric_limits<double>::infinity();
     return sum > round_off * round_off * terms ? std::sqrt(sum / reference)
                                                : 0.;
+  }
+
+
+  template <int dim>
+  double
+  NewtonSolver<dim>::norm_of_residual(const std::vector<double> &mass) const
+  {
+    const double *const r   = R.begin();
+    double              sum = 0.;
+    for (const auto &run : reached)
+      for (std::size_t i = run.begin; i < run.end; ++i)
+        for (unsigned int c = 0; c < dim; ++c)
+          sum += std::min(1., mass[i] / full_node_mass) * r[dim * i + c] *
+                 r[dim * i + c];
+    return std::sqrt(sum / reference);
   }
 
 
@@ -159,8 +231,14 @@ namespace Waker
     std::optional<WalledOperator<dim>> walled;
     if (walls != nullptr)
       walled.emplace(stiffness, *walls);
-    const SystemOperator system(walled ? static_cast<const Operator &>(*walled)
-                                       : stiffness,
+    const Operator &soil =
+      walled ? static_cast<const Operator &>(*walled) : stiffness;
+    std::optional<GhostedOperator<dim>> ghosted;
+    if (ghost != nullptr)
+      ghosted.emplace(soil, *ghost);
+    const SystemOperator system(ghosted
+                                  ? static_cast<const Operator &>(*ghosted)
+                                  : soil,
                                 inertia.ramp,
                                 inertia.factor,
                                 nodes.mass,
@@ -214,7 +292,13 @@ namespace Waker
                                nodes.increment,
                                nodes.internal_force);
         if (walls != nullptr)
-          walls->add_internal_force(nodes.increment, nodes.internal_force);
+          {
+            wall_force = 0.;
+            walls->add_internal_force(nodes.increment, wall_force);
+            nodes.internal_force += wall_force;
+          }
+        if (ghost != nullptr)
+          ghost->add_force(nodes.increment, nodes.internal_force);
         const double norm = residual(inertia, spring_targets, nodes);
         report.residuals.push_back(norm);
         if (norm <= parameters.tolerance)
@@ -234,6 +318,13 @@ namespace Waker
           solve_linear(stiffness, inertia, nodes, report.iterations == 0, norm);
         report.linear_iterations += linear.iterations;
         ++report.iterations;
+        if (direct_solver && norm < unsolvable_limit &&
+            norm_of_residual(nodes.mass) <= parameters.tolerance)
+          {
+            report.residuals.push_back(norm_of_residual(nodes.mass));
+            report.converged = true;
+            return report;
+          }
         nodes.increment += correction;
       }
   }

@@ -24,11 +24,12 @@ namespace Waker
                       "cells in it; the run prints that number. Quasi-static: "
                       "of the load steps.",
                       Patterns::Double(0.));
-    prm.add_parameter("End time",
-                      end_time,
-                      "Time at which a run ends at the latest (s). 0: write the "
-                      "state at the start and stop.",
-                      Patterns::Double(0.));
+    prm.add_parameter(
+      "End time",
+      end_time,
+      "Time at which a run ends at the latest (s). 0: write the "
+      "state at the start and stop.",
+      Patterns::Double(0.));
     prm.add_parameter("Ramp duration",
                       ramp_duration,
                       "The unbalanced force after the gravity step grows from "
@@ -56,6 +57,13 @@ namespace Waker
                       "Quasi-static scheme: the points move with the nodes. "
                       "false: only their stresses change.",
                       Patterns::Bool());
+    prm.add_parameter("Ghost stiffness",
+                      ghost_stiffness,
+                      "Quasi-static scheme: a stiffness, as a share (-) of "
+                      "K + 4G/3, makes nodes that support domains hardly touch "
+                      "follow their neighbours. 0: none; Newton's method may "
+                      "then fail in large deformation.",
+                      Patterns::Double(0., 1.));
   }
 
 

@@ -19,13 +19,17 @@ namespace Waker
         , springs(make_springs(in.fixities,
                                stiffest_modulus(in.materials),
                                in.grid.cell_size()))
+        , ghost(in.grid,
+                in.fixities,
+                in.time.ghost_stiffness * stiffest_modulus(in.materials))
         , newton(in.weights,
                  in.fixities,
                  in.newton,
                  in.full_node_mass,
                  springs,
                  LinearMethod::direct,
-                 in.walls)
+                 in.walls,
+                 in.time.ghost_stiffness > 0. ? &ghost : nullptr)
         , reached(in.grid)
         , start_force(in.grid.n_dofs())
         , last_load(in.grid.n_dofs())
@@ -78,6 +82,7 @@ namespace Waker
       const SchemeInput<dim> in;
       StressUpdate<dim>      stress_update;
       const Springs          springs;
+      GhostStiffness<dim>    ghost;
       NewtonSolver<dim>      newton;
       ReachedNodes           reached;
       NodalVector            start_force; // internal, at the start, kN
@@ -99,6 +104,7 @@ namespace Waker
       in.fixities.removed_increments(t, dt, removed_increments);
       in.fixities.penalty_increments(t, dt, spring_targets);
       reached.reinit(nodes.mass);
+      ghost.reinit(nodes.mass, in.full_node_mass);
 
       nodes.increment = 0.;
       stress_update.evaluate(points, weights, nodes.increment, start_force);

@@ -17,8 +17,13 @@ namespace Waker
    * each of which the unit entries are too far apart to meet.
    *
    * In a static step some motions of nodes that only one support domain touches
-   * have no stiffness: `shift` times its diagonal is added to the matrix, and
-   * Newton iterates the difference away.
+   * have no stiffness, or so little that it means nothing. `shift` times its
+   * diagonal D is added to the matrix, and where that is what carries a force
+   * the force is left out:
+   *   x = B (b - s D B b),  B = (A + s D)^-1.
+   * Rows and columns are scaled by D: some nodes have next to nothing of it.
+   * Motions much stiffer than s D are solved for but for a share of
+   * (s D / A)^2, those much softer stay as they are.
    */
   template <int dim>
   class DirectSolver
@@ -29,15 +34,16 @@ namespace Waker
 
     ~DirectSolver();
 
-    /// Factorise A + shift diag A, of the equations with a diagonal that is not
-    /// zero.
+    /// Factorise A + shift |diag A|, of the equations whose diagonal is more
+    /// than round-off of the largest.
     /// @throws NumericalFailure if the matrix is singular
     void
     factorise(const Operator &A, const double shift);
 
-    /// x of the last factorisation; zero where there is no equation.
+    /// x as above, zero where there is no equation.
+    /// @param b out: the part of it that the stiffness can carry, b - s D B b
     void
-    solve(NodalVector &x, const NodalVector &b);
+    solve(NodalVector &x, NodalVector &b);
 
   private:
     struct Factors;

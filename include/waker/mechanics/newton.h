@@ -6,6 +6,7 @@
 #include <waker/mechanics/consistent_tangent.h>
 #include <waker/mechanics/direct_solver.h>
 #include <waker/mechanics/double_mapped_tangent.h>
+#include <waker/mechanics/ghost_stiffness.h>
 #include <waker/mechanics/parameters.h>
 #include <waker/mechanics/stress_update.h>
 #include <waker/mechanics/system_operator.h>
@@ -38,15 +39,17 @@ namespace Waker
    * Newton's method for the equations of a step,
    *   R(u) = r (s F_ext - F_int(u)) - M (k u - q) - springs (u - g) = 0,
    * on the equations that are not removed (eq. 2.23 of Remmerswaal 2023).
-   * The force of walls off the grid counts with F_int, and is left in the nodes'
-   * internal force.
+   * The force of walls off the grid counts with F_int, and is left in the
+   * nodes' internal force.
    *
    * Convergence is measured by sqrt(sum_i phi_i |R_i|^2) relative to the same
    * norm of the external, internal and inertial forces, where phi_i = m_i / m
    * is the share of a full node's mass that node i has: the force on a node
    * that a support domain has hardly touched means nothing, and does not count.
    * A residual that is round-off of its own terms has converged as well: a body
-   * in uniform motion has no force to compare with.
+   * in uniform motion has no force to compare with. So has, in a static step,
+   * a small one of which only motions without stiffness are left
+   * (DirectSolver).
    */
   template <int dim>
   class NewtonSolver
@@ -55,14 +58,16 @@ namespace Waker
     /// All references must outlive this object.
     /// @param full_node_mass mass of a node inside the body (Mg)
     /// @param walls off the grid, in contact as of the step; null: none
+    /// @param ghost set to the nodes' mass; null: none
     /// @param method direct where there is no inertia to help a Krylov method
-    NewtonSolver(const Weights<dim>     &weights,
-                 const Fixities<dim>    &fixities,
-                 const NewtonParameters &parameters,
-                 const double            full_node_mass,
-                 const Springs          &springs,
-                 const LinearMethod      method = LinearMethod::krylov,
-                 const Walls<dim>       *walls  = nullptr);
+    NewtonSolver(const Weights<dim>        &weights,
+                 const Fixities<dim>       &fixities,
+                 const NewtonParameters    &parameters,
+                 const double               full_node_mass,
+                 const Springs             &springs,
+                 const LinearMethod         method = LinearMethod::krylov,
+                 const Walls<dim>          *walls  = nullptr,
+                 const GhostStiffness<dim> *ghost  = nullptr);
 
     /// The inertia term M (k u - q), the ramp r and the load factor s.
     struct Inertia
@@ -93,7 +98,12 @@ namespace Waker
              const std::vector<double> &spring_targets,
              const NodalState          &nodes);
 
-    /// One linear system, after the tangent has been linearised.
+    /// Norm of the residual, by its last reference.
+    double
+    norm_of_residual(const std::vector<double> &mass) const;
+
+    /// One linear system, after the tangent has been linearised. A direct
+    /// solver leaves in R what it could solve for.
     LinearReport
     solve_linear(const Operator   &stiffness,
                  const Inertia    &inertia,
@@ -101,18 +111,21 @@ namespace Waker
                  const bool        first,
                  const double      norm);
 
-    const Fixities<dim>     *fixities;
-    NewtonParameters         parameters;
-    double                   full_node_mass;
-    Springs                  springs;
-    ConsistentTangent<dim>   consistent;
-    DoubleMappedTangent<dim> double_mapped;
-    LinearSolver             linear_solver;
-    ReachedNodes             reached;
-    NodalVector              R;
-    NodalVector              correction;
-    LinearMethod             method;
-    const Walls<dim>        *walls;
+    const Fixities<dim>       *fixities;
+    NewtonParameters           parameters;
+    double                     full_node_mass;
+    Springs                    springs;
+    ConsistentTangent<dim>     consistent;
+    DoubleMappedTangent<dim>   double_mapped;
+    LinearSolver               linear_solver;
+    ReachedNodes               reached;
+    NodalVector                R;
+    double                     reference = 0.; // square of R's, kN^2
+    NodalVector                correction;
+    LinearMethod               method;
+    const Walls<dim>          *walls;
+    NodalVector                wall_force; // less that of the walls, kN
+    const GhostStiffness<dim> *ghost;
     /// Only with LinearMethod::direct in 2D.
     std::unique_ptr<DirectSolver<dim>> direct_solver;
   };

@@ -30,6 +30,9 @@ namespace Waker
     double load_duration = 0.;
     /// Quasi-static: do the points move with the nodes, or stay in place?
     bool move_points = true;
+    /// Quasi-static: stiffness of nodes that are hardly touched (see
+    /// mechanics/ghost_stiffness.h), as a share of K + 4G/3; 0: none.
+    double ghost_stiffness = 1e-4;
 
     void
     add_parameters(ParameterHandler &prm);

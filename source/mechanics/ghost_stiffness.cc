@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/mechanics/ghost_stiffness.h>
+
+#include <cmath>
+
+namespace Waker
+{
+  namespace
+  {
+    /// A node with less than this share of a full node's mass is hardly
+    /// touched. (At a straight edge on the grid it is 1/2, at a corner
+    /// 1/2^dim.)
+    constexpr double hardly_touched = 0.01;
+  } // namespace
+
+
+  template <int dim>
+  GhostStiffness<dim>::GhostStiffness(const BackgroundGrid<dim> &grid,
+                                      const Fixities<dim>       &fixities,
+                                      const double               stiffness)
+    : grid(&grid)
+    , fixities(&fixities)
+    , k(stiffness * std::pow(grid.cell_size(), dim - 2))
+  {}
+
+
+  template <int dim>
+  void
+  GhostStiffness<dim>::reinit(const std::vector<double> &mass,
+                              const double               full_node_mass)
+  {
+    const double limit = hardly_touched * full_node_mass;
+    rows.clear();
+    for (unsigned int node = 0; node < mass.size(); ++node)
+      {
+        if (mass[node] == 0.)
+          continue;
+        const auto index = grid->node_index(node);
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            if (index[d] == 0 ||
+                index[d] + 1 ==
+                  static_cast<int>(grid->n_nodes_per_direction()[d]))
+              continue;
+            const unsigned int stride = grid->stride(d);
+            bool               there = true, hardly = false;
+            for (const unsigned int i : {node - stride, node, node + stride})
+              {
+                there  = there && mass[i] > 0.;
+                hardly = hardly || mass[i] < limit;
+              }
+            if (!there || !hardly)
+              continue;
+            // One that is held is held: only free ones have to follow.
+            for (unsigned int c = 0; c < dim; ++c)
+              {
+                bool free = false, held = false;
+                for (const unsigned int i :
+                     {node - stride, node, node + stride})
+                  if (mass[i] < limit)
+                    {
+                      const bool removed = fixities->removed()[dim * i + c];
+                      free               = free || !removed;
+                      held               = held || removed;
+                    }
+                if (free && !held)
+                  rows.push_back({dim * node + c, dim * stride});
+              }
+          }
+      }
+  }
+
+
+  template <int dim>
+  void
+  GhostStiffness<dim>::add_force(const NodalVector &u, NodalVector &force) const
+  {
+    const double *const x = u.begin();
+    double *const       f = force.begin();
+    for (const Row &row : rows)
+      {
+        const unsigned int i = row.middle, s = row.distance;
+        const double       bend = k * (x[i - s] - 2. * x[i] + x[i + s]);
+        f[i - s] += bend;
+        f[i] -= 2. * bend;
+        f[i + s] += bend;
+      }
+  }
+
+
+  template <int dim>
+  void
+  GhostStiffness<dim>::add_diagonal(NodalVector &diagonal) const
+  {
+    double *const d = diagonal.begin();
+    for (const Row &row : rows)
+      {
+        d[row.middle - row.distance] += k;
+        d[row.middle] += 4. * k;
+        d[row.middle + row.distance] += k;
+      }
+  }
+
+
+  template class GhostStiffness<2>;
+  template class GhostStiffness<3>;
+} // namespace Waker
