@@ -29,11 +29,12 @@ def main():
         numbers[name] = {
             "outcome": run["outcome"],
             "initial failure (s)": run["initial_failure_time"],
-            "flooding (s)": run["flooding_time"]}
-        column = next(key for key in run.statistics if key.startswith("Width"))
+            "flooding (s)": run["flooding_time"],
+            "points": run["particles"]}
         time = run.statistics["Time (s)"]
         width = np.where(times <= time[-1] + 1e-9,
-                         np.interp(times, time, run.statistics[column]),
+                         np.interp(times, time,
+                                   run.statistics["Dyke width W (m)"]),
                          np.nan)
         columns[name.replace(", ", "_").replace(" ", "_") + "_m"] = \
             width.tolist()

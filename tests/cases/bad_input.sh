@@ -116,6 +116,14 @@ set_value 'self-crossing' "$polygon" '0,0; 30,0; 5,5; 15,5' 'Polygon'
 set_value 'two corners' "$polygon" '0,0; 30,0' 'Polygon'
 set_value 'no area' "$polygon" '0,0; 30,0; 15,0' 'Polygon'
 set_value 'points' 'Material points/Points per direction' 0 '"0"'
+set_value 'stress with gravity step' 'Soil profile/dyke/Initial stress' \
+  '-1; -1; -1; 0' 'gravity step'
+check 'stress of three parts' '^--set Soil profile/dyke/Initial stress$' \
+  'has 3' -- run "$good" --set 'Soil profile/dyke/Initial stress=1; 2; 3' \
+  --set 'Gravity/Initial stress=false'
+check 'corners inside rows' '^--set Material points/Placement$' 'inside rows' \
+  -- run "$good" --set 'Material points/Placement=rows' \
+  --set "$polygon=0,0; 30,0; 30,1.05; 0,1.05" --set Water/Side=none
 check 'overlap' '^--set Soil profile/[a-z]+/Polygon$' 'overlap' -- \
   run "$good" --set 'Soil profile/Layers=dyke, berm' \
   --set 'Soil profile/berm/Material=clay' \
