@@ -86,7 +86,6 @@ def main():
     mapping = "Kinematics and mapping/"
     for label, per_direction, sets in (
             ("stretched", 3, {}), ("stretched", 6, {}),
-            ("no-ghost", 3, {"Time stepping/Ghost stiffness": 0}),
             ("no-ghost", 6, {"Time stepping/Ghost stiffness": 0}),
             ("constant-no-ghost", 3, {"Time stepping/Ghost stiffness": 0,
                                       mapping + "Domains": "constant"}),

@@ -72,7 +72,7 @@ def tip_displacement(points, h, per_direction):
               & (np.abs(start[:, 1] - 9.5) < size))
     assert loaded.sum() == 2
     u = points["displacement"][loaded].mean(axis=0)
-    return -u[0], -u[1]
+    return float(-u[0]), float(-u[1])
 
 
 def run_case(waker, source, folder, name, parameters):

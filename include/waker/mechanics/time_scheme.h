@@ -121,7 +121,7 @@ namespace Waker
    *
    * Energy: the works are those of the mean of the forces at the start and the
    * end of a step; `mapping_loss` is that of the imbalance which the points'
-   * new places leave at its start.
+   * new places leave at its start, and of the ghost stiffness.
    */
   template <int dim>
   std::unique_ptr<TimeScheme<dim>>

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/mapping/transfer.h>
+#include <waker/materials/linear_elastic.h>
+#include <waker/mechanics/direct_solver.h>
+#include <waker/mechanics/ghost_stiffness.h>
+#include <waker/mechanics/newton.h>
+
+#include "mapping_lattice.h"
+#include <gtest/gtest.h>
+
+// Nodes that support domains hardly touch, and the direct solver.
+
+using namespace Waker;
+
+namespace
+{
+  constexpr double h = 0.25, density = 1.5;
+
+
+  /// A block whose domains reach a hair into the next cells above and right.
+  template <int dim>
+  struct Block
+  {
+    explicit Block(const double reach)
+      : grid(Lattice::grid<dim>(2., h))
+      , fixities(grid, {FixityParameters()})
+      , weights(grid, ShapeFunctions::gimp)
+      , nodes(grid)
+    {
+      Point<dim> lower;
+      for (unsigned int d = 0; d < dim; ++d)
+        lower[d] = (d == 1 ? 0. : 0.5) + reach * h;
+      points = Lattice::box(lower, 4, 0.5 * h, density);
+      materials.push_back(std::make_unique<LinearElastic>(density, 1000., 0.3));
+      weights.reinit(points);
+      to_nodes(points, weights, nodes);
+    }
+
+    double
+    full_mass() const
+    {
+      return density * std::pow(h, dim);
+    }
+
+    BackgroundGrid<dim> grid;
+    Fixities<dim>       fixities;
+    Weights<dim>        weights;
+    NodalState          nodes;
+    MaterialPoints<dim> points;
+    Materials           materials;
+  };
+
+
+  template <int dim>
+  void
+  check_operator()
+  {
+    Block<dim>          block(1e-3);
+    GhostStiffness<dim> ghost(block.grid, block.fixities, 3.);
+    ghost.reinit(block.nodes.mass, block.full_mass());
+    const unsigned int n = block.grid.n_dofs();
+    Lattice::Random    random(7);
+
+    // Linear fields cost nothing; others do, in balance.
+    NodalVector force(n);
+    const auto  linear = Lattice::linear_field(block.grid,
+                                              random.matrix<dim>(-1., 1.),
+                                              random.vector<dim>(-1., 1.));
+    ghost.add_force(linear, force);
+    EXPECT_LT(force.linfty_norm(), 1e-12);
+    NodalVector u(n), v(n), other(n);
+    for (double &value : u)
+      value = random(-1., 1.);
+    for (double &value : v)
+      value = random(-1., 1.);
+    force = 0.;
+    ghost.add_force(u, force);
+    ghost.add_force(v, other);
+    EXPECT_GT(u * force, 1.);
+    EXPECT_NEAR(u * other, v * force, 1e-10);
+    EXPECT_NEAR(linear * force, 0., 1e-10);
+
+    NodalVector diagonal(n), unit(n);
+    ghost.add_diagonal(diagonal);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        unit            = 0.;
+        unit.begin()[i] = 1.;
+        force           = 0.;
+        ghost.add_force(unit, force);
+        ASSERT_NEAR(diagonal.begin()[i], force.begin()[i], 1e-12);
+      }
+
+    // A body that fills its cells has none.
+    Block<dim> full(0.);
+    ghost.reinit(full.nodes.mass, full.full_mass());
+    force = 0.;
+    ghost.add_force(u, force);
+    EXPECT_EQ(force.linfty_norm(), 0.);
+  }
+
+
+  TEST(GhostStiffness, Operator)
+  {
+    check_operator<2>();
+    check_operator<3>();
+  }
+
+
+  /// The factorised matrix is that of the operator, with nodes of next to no
+  /// stiffness in it.
+  template <int dim>
+  void
+  check_direct_solver(const double reach)
+  {
+    Block<dim>             block(reach);
+    StressUpdate<dim>      update(block.materials, true, true);
+    ConsistentTangent<dim> tangent(block.weights);
+    NodalVector            u(block.grid.n_dofs()), force(u);
+    Lattice::Random        random(11);
+    for (double &value : u)
+      value = random(-0.02, 0.02) * h;
+    update.evaluate(block.points, block.weights, u, force);
+    tangent.reinit(update, block.points);
+    const Springs        springs;
+    const SystemOperator system(tangent,
+                                1.,
+                                0.,
+                                block.nodes.mass,
+                                block.fixities.removed_list(),
+                                springs);
+    DirectSolver<dim>    solver(block.grid);
+    solver.factorise(system, 1e-10);
+    // Whatever the solution: its force is solved for.
+    NodalVector b(force), x(force), product(force);
+    for (const unsigned int dof : block.fixities.removed_list())
+      u.begin()[dof] = 0.;
+    system.vmult(b, u);
+    const NodalVector original = b;
+    solver.solve(x, b);
+    system.vmult(product, x);
+    product -= original;
+    EXPECT_GT(original.linfty_norm(), 0.01);
+    EXPECT_LT(product.linfty_norm(), 1e-7 * original.linfty_norm());
+    b -= original;
+    EXPECT_LT(b.linfty_norm(), 1e-7 * original.linfty_norm());
+  }
+
+
+  TEST(DirectSolver, SolvesForTheOperator)
+  {
+    for (const double reach : {0., 0.3, 1e-3})
+      {
+        check_direct_solver<2>(reach);
+        check_direct_solver<3>(reach);
+      }
+  }
+
+
+  /// A force on a body that nothing holds is not solved for, and not hidden.
+  TEST(DirectSolver, AFreeBodyDoesNotConverge)
+  {
+    Block<2>    block(0.3);
+    NodalState &nodes = block.nodes;
+    set_gravity<2>(10., nodes);
+    FixityParameters rail;
+    rail.region = "left"; // holds nodes that the body does not touch
+    const Fixities<2> fixities(block.grid, {rail});
+    NewtonParameters  parameters;
+    parameters.tolerance = 1e-6;
+    NewtonSolver<2> newton(block.weights,
+                           fixities,
+                           parameters,
+                           block.full_mass(),
+                           {},
+                           LinearMethod::direct);
+    StressUpdate<2> update(block.materials, true, true);
+    NewtonReport    report;
+    try
+      {
+        report = newton.solve(block.points, {}, {}, update, nodes);
+      }
+    catch (const std::exception &)
+      {}
+    EXPECT_FALSE(report.converged);
+  }
+} // namespace
