@@ -170,7 +170,7 @@ TEST(BoundaryWall, ContactIsWhereTheSoilIs)
       EXPECT_EQ(n_touching(edge), 24u);
       EXPECT_EQ(n_touching(edge - 0.8), 24u);
       EXPECT_EQ(n_touching(edge + 0.1 * h), 24u);
-      EXPECT_EQ(n_touching(edge + 0.6 * h), 0u);
+      EXPECT_EQ(n_touching(edge + 0.7 * h), 0u);
     }
 }
 
