@@ -105,6 +105,25 @@ public:
     return i >= 0 && j >= 0 && i < int(n_x()) && j < int(n_y()) && inside[i][j];
   }
 
+  /// The inside as rectangles, as high as they come in each slab.
+  std::vector<Box>
+  rectangles() const
+  {
+    std::vector<Box> boxes;
+    for (std::size_t i = 0; i < n_x(); ++i)
+      for (std::size_t j = 0; j < n_y(); ++j)
+        if (inside[i][j])
+          {
+            Box box;
+            box.lower = dealii::Point<2>(x[i], y[j]);
+            while (j + 1 < n_y() && inside[i][j + 1])
+              ++j;
+            box.upper = dealii::Point<2>(x[i + 1], y[j + 1]);
+            boxes.push_back(box);
+          }
+    return boxes;
+  }
+
   double
   area() const
   {

@@ -8,6 +8,7 @@
 #include <waker/boundary/facet.h>
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 namespace Waker
@@ -43,6 +44,8 @@ namespace Waker
     using Index = BlockCoverage<3>::Index;
     using Ranks = std::array<unsigned int, 3>;
 
+    static constexpr unsigned int none = -1;
+
     void
     select(const std::vector<Box<3>> &boxes);
 
@@ -64,8 +67,13 @@ namespace Waker
     void
     mark_inside(const Index &block);
 
+    // Along x or z, for whole rows of bits along y at once.
     void
-    fill_gaps(const unsigned int direction);
+    fill_rows(const unsigned int direction);
+
+    // Along y, in the cells of the block and next to it.
+    void
+    fill_along_y();
 
     void
     collect_faces(const Index &block, Facets<3> &facets);
@@ -110,7 +118,10 @@ namespace Waker
     Ranks                                    open_begin;
     Ranks                                    open_end;
     Ranks                                    strides;
-    std::vector<unsigned char>               inside;
+    std::size_t                              words_per_row; // along y
+    std::vector<std::uint64_t>               bits;          // inside, y fastest
+    std::vector<unsigned int>                reaches;
+    std::vector<unsigned char>               inside; // the same, of the block
     std::vector<signed char>                 plane;
   };
 } // namespace Waker
