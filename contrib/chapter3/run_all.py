@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """All studies of chapter 3: runs, figures with their data, and the tables of
-doc/results/chapter3/README.md.
+doc/results/chapter3/README.md. The last five have their pages in
+doc/verification.
 
     contrib/chapter3/run_all.py [--waker build/bin/waker] [--runs FOLDER]
                                 [--study NAME ...] [--again]
@@ -17,19 +18,18 @@ import sys
 import time
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-# By how long they take; the tables need the others.
 STUDIES = {
     "uniaxial_block": "stress in a block under traction",
-    "point_loads": "point loads on a bar and on a half-space",
-    "flow": "inflow and outflow: balances",
     "bar_1d": "figures 3.3, 3.4: nodal forces of a bar",
     "inclined_bar": "figures 3.5 to 3.7: nodal forces of an inclined bar",
     "cylinder": "thick cylinder: convergence of each method",
-    "column": "column under its weight, large strain",
-    "cantilever": "cantilever in large rotation",
     "dyke_contour": "dyke of chapter 5 with the contour",
-    "walls": "walls off the grid: block at any angle, strip footing",
     "submerged_slope": "figures 3.14 to 3.18: submerged slope",
+    "walls": "walls off the grid: block, strip footing",
+    "flow": "inflow and outflow",
+    "point_loads": "point loads: bar, half-space",
+    "column": "column under its weight, large strain",
+    "cantilever": "cantilever, large rotation",
 }
 
 

@@ -43,11 +43,12 @@ def cell_means(points, field):
 
 def roughness(points, region, field="mean_stress"):
     """Rms residual (kPa) of the cells at the surface against a quadratic in x
-    and y through those within 2.5 m of it, fitted in windows of 4 m."""
+    and y through those within 2.5 m of it, fitted in windows of 4 m; and as a
+    share of the mean there."""
     begin, end, cosine = REGIONS[region]
     x, y, values = cell_means(points, field)
     depth = (ground(x) - y) * cosine
-    residuals = []
+    residuals, fits = [], []
     for left in np.arange(begin, end - 3.0, 1.0):
         near = (x >= left) & (x < left + 4) & (depth < 2.5)
         X, Y = x[near] - left - 2, y[near] - y[near].mean()
@@ -55,17 +56,20 @@ def roughness(points, region, field="mean_stress"):
         fit = basis @ np.linalg.lstsq(basis, values[near], rcond=None)[0]
         middle = (abs(X) <= 0.5) & (depth[near] < 0.5)
         residuals.append((values[near] - fit)[middle])
-    return float(np.sqrt(np.mean(np.concatenate(residuals)**2)))
+        fits.append(fit[middle])
+    rms = np.sqrt(np.mean(np.concatenate(residuals)**2))
+    return float(rms), float(rms / np.mean(np.concatenate(fits)))
 
 
 def error_of_vertical_stress(points):
     """Rms error (kPa) of the vertical stress in the cells of the upper metre
     of the flat top away from its edge, where it is the weight of the water and
-    the soil above."""
+    the soil above; and as a share of it."""
     x, y, stress = cell_means(points, "stress_yy")
     upper = (x < 15.0) & (TOP - y < 1.0)
     exact = -WATER * (LEVEL - TOP) - SOIL * (TOP - y[upper])
-    return float(np.sqrt(np.mean((stress[upper] - exact)**2)))
+    rms = np.sqrt(np.mean((stress[upper] - exact)**2))
+    return float(rms), float(rms / np.mean(np.abs(exact)))
 
 
 def cover_of(points, chosen):
@@ -76,26 +80,46 @@ def cover_of(points, chosen):
                      for px, py in x[chosen, :2]])
 
 
+OUTLINE = {
+    "Tractions/water/Surface file": os.path.join(
+        ROOT, "parameters", "chapter3", "submerged_slope.txt"),
+    # Not base and left side.
+    "Tractions/water/Facing": "1, 2", "Tractions/water/Opening": 80}
+
+
 def run_all(runs):
     result = {}
     for name, (method, surface) in RUNS.items():
         sets = {"Tractions/water/Method": method, "Surface/Method": surface}
         if method == "fixed points":
-            sets["Tractions/water/Surface file"] = os.path.join(
-                ROOT, "parameters", "chapter3", "submerged_slope.txt")
-            # Not base and left side.
-            sets["Tractions/water/Facing"] = "1, 2"
-            sets["Tractions/water/Opening"] = 80
+            sets.update(OUTLINE)
         if name == "proximity field":
-            # Without, load on nodes with next to no mass ends the run after
-            # 0.5 s; 0.005 and more disturbs the stress of the steep face four
-            # times as much. The contour needs no such rule.
+            # The least that keeps load from nodes with next to no mass, see
+            # supports(). The contour needs no such rule.
             sets["Tractions/water/Minimum support"] = 0.001
         result[name] = runs.run(
             "submerged_slope/" + name.replace(" ", "-"), "submerged_slope.prm",
             sets, options=("--realisation", "0"), may_fail=True)
         print("   ", name, "ends at", result[name].frames()[-1][0], "s:",
               result[name]["outcome"], flush=True)
+    return result
+
+
+def supports(runs):
+    """What the least mass of a node that carries load does to the proximity
+    field's load: {share of a full mass: [roughness at 45 degrees (kPa), time at
+    which the run ended (s)]}."""
+    result = {}
+    for support in (0.0, 0.001, 0.005, 0.02):
+        run = runs.run(f"submerged_slope/support-{support:g}",
+                       "submerged_slope.prm",
+                       {"Tractions/water/Method": "proximity field",
+                        "Surface/Method": "proximity field",
+                        "Tractions/water/Minimum support": support,
+                        "Time stepping/End time": 1},
+                       options=("--realisation", "0"), may_fail=True)
+        result[f"{support:g}"] = [roughness(run.points(0.0), "45 degrees")[0],
+                                  float(run.frames()[-1][0])]
     return result
 
 
@@ -232,20 +256,26 @@ def value_at(history, name, key, time):
     return float(np.interp(time, times, [history[key][i] for i in rows]))
 
 
+def initial_stress(run):
+    points = run.points(0.0)
+    entry = {"points": int(points["id"].size)}
+    (entry["vertical stress of the flat top, rms error (kPa)"],
+     entry["the same as a share"]) = error_of_vertical_stress(points)
+    for region in REGIONS:
+        (entry[f"mean stress, {region}, roughness (kPa)"],
+         entry[f"mean stress, {region}, as a share"]) = \
+            roughness(points, region)
+        entry[f"deviatoric stress, {region}, roughness (kPa)"] = \
+            roughness(points, region, "deviatoric_stress")[0]
+    return entry
+
+
 def main():
     runs = Runs(parse_arguments(__doc__))
     all_runs = run_all(runs)
     numbers = {}
     for name, run in all_runs.items():
-        points = run.points(0.0)
-        entry = {"points": int(points["id"].size),
-                 "vertical stress of the flat top, rms error (kPa)":
-                 error_of_vertical_stress(points)}
-        for region in REGIONS:
-            entry[f"mean stress, {region}, roughness (kPa)"] = \
-                roughness(points, region)
-            entry[f"deviatoric stress, {region}, roughness (kPa)"] = \
-                roughness(points, region, "deviatoric_stress")
+        entry = initial_stress(run)
         entry["end (s)"] = float(run.frames()[-1][0])
         entry["outcome"] = run["outcome"]
         numbers[name] = entry
@@ -262,6 +292,11 @@ def main():
         if i in (0, len(loads["time_s"]) - 1) or abs(time - 4.5) < 1e-9:
             numbers["points"][f"loads at {time:.2f} s"] = {
                 key: values[i] for key, values in loads.items()}
+    numbers["exact surface, at the start"] = initial_stress(runs.run(
+        "submerged_slope/surface", "submerged_slope.prm",
+        {"Tractions/water/Method": "user surface", "Time stepping/End time": 0,
+         **OUTLINE}, options=("--realisation", "0")))
+    numbers["minimum support"] = supports(runs)
     draw_forces(all_runs)
     draw_stresses(all_runs, "mean_stress", "figure_3_16")
     draw_stresses(all_runs, "deviatoric_stress", "figure_3_17")
