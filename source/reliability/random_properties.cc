@@ -36,8 +36,9 @@ namespace Waker
     }
 
 
-    /// The cells that hold all points: aligned with the grid, so that by
-    /// default each support domain has its own.
+    /// The cells that hold all points: aligned with the grid, by default its
+    /// sub-cells, so that each support domain has its own (with Placement =
+    /// rows: nearly).
     template <int dim>
     FieldLattice
     make_lattice(const Case<dim>           &the_case,
@@ -49,7 +50,10 @@ namespace Waker
       for (unsigned int d = 0; d < dim; ++d)
         {
           const double size =
-            cell_size.empty() ? 2. * points.half_size[0][d] : cell_size[d];
+            cell_size.empty()
+              ? the_case.grid.cell_size() /
+                  the_case.parameters.points.points_per_direction
+              : cell_size[d];
           const double corner = the_case.parameters.grid.lower_corner[d];
           double       first  = std::numeric_limits<double>::max();
           double       last   = -first;
