@@ -201,8 +201,9 @@ TEST(Boundary, faces_are_those_of_the_brute_force_union)
       const auto number  = [&](const int low, const int high) {
         return low + int(random() % (high - low + 1));
       };
-      const int           extent = number(3, 20), size = number(1, 8);
-      std::vector<Box<3>> boxes(number(1, 60));
+      const int           extent = number(3, stretch > 1 ? 5 : 20);
+      const int           size   = number(1, stretch > 1 ? 2 : 8);
+      std::vector<Box<3>> boxes(number(1, stretch > 1 ? 200 : 60));
       for (Box<3> &box : boxes)
         for (unsigned int d = 0; d < 3; ++d)
           {
