@@ -93,6 +93,7 @@ namespace Waker
       std::string   result, reason;
       RunStatus     status = RunStatus::completed;
       bool          is_new = !resumed; // this moment is not in the files yet
+      bool          held   = false;    // domains, at the size of a cell
       std::uint64_t unconverged = state.unconverged_steps;
       try
         {
@@ -120,6 +121,17 @@ namespace Waker
                   break;
                 }
               realisation.advance();
+
+              if (!held && realisation.view().report.held_domains > 0)
+                {
+                  held = true;
+                  log.line(
+                    "t = " + std::to_string(state.time) +
+                    " s: from now on stretched support domains are held "
+                    "at the size of a cell (" +
+                    std::to_string(realisation.view().report.held_domains) +
+                    " points)");
+                }
 
               if (state.unconverged_steps > unconverged)
                 {
