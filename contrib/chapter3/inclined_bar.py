@@ -103,6 +103,36 @@ def evaluate_3d(runs, tangent, offset, extent):
                      ["end", "front", "back"], extent[1] - extent[0])
 
 
+# The bar of inclined_bar_detected.prm in 3D, between rollers at z = 0 and 2 m:
+# the proximity field rounds free ends.
+IN_3D = {
+    "Dimension": 3, "Grid/Lower corner": "-2, 0, 0",
+    "Grid/Upper corner": "22, 10, 2",
+    "Boundary conditions/Names": "lower end, upper end",
+    "Boundary conditions/lower end/Region": "back",
+    "Boundary conditions/lower end/Type": "roller",
+    "Boundary conditions/upper end/Region": "front",
+    "Boundary conditions/upper end/Type": "roller",
+    "Soil profile/bar/Initial stress": "-1; -1; -1; 0; 0; 0",
+    **{f"Tractions/{name}/Facing": "-1, 1, 0"
+       for name in ("detected", "below", "above")},
+    "Tractions/base/Facing": "0, -1, 0", "Tractions/end/Facing": "1, 0, 0",
+    "Tractions/detected/From": "-2, 3.25, 0",
+    "Tractions/detected/To": "22, 6.25, 2",
+    "Tractions/below/From": "-2, 0, 0", "Tractions/below/To": "22, 3.25, 2",
+    "Tractions/above/From": "-2, 6.25, 0", "Tractions/above/To": "22, 10, 2",
+}
+
+
+def evaluate_detected_3d(runs, tangent, offset):
+    sets = {**IN_3D, "Soil profile/bar/Polygon":
+            polygon(corners_of(tangent, offset, 3 * HEIGHT)), **QUIET}
+    run = runs.run(f"inclined_bar_3d/detected-{tangent:g}-{offset:.3f}",
+                   "inclined_bar_detected.prm", sets)
+    return errors_of(Nodes(run), tangent, ["detected"],
+                     ["below", "above", "base", "end"], 2.0)
+
+
 def statistics(errors):
     """Mean and largest E_Fx and E_Fy (%) of [{method: (x, y)}, ...]."""
     result = {}
@@ -192,6 +222,9 @@ def main():
         errors = [evaluate_3d(runs, 0.5, float(round(x, 6)), extent)
                   for x in np.arange(10) / 10]
         numbers[f"3D, tan 0.5, z from {extent[0]:g} m"] = statistics(errors)
+    errors = [evaluate_detected_3d(runs, 0.5, float(round(x, 6)))
+              for x in np.arange(10) / 10]
+    numbers["3D, tan 0.5, z from 0 m"].update(statistics(errors))
     save_numbers("inclined_bar", numbers)
 
 
