@@ -191,6 +191,38 @@ check 'point load' '^--set Point loads/p/Force' '1 numbers' -- \
   run "$good" --set 'Point loads/Names=p' --set 'Point loads/p/Force=1' \
   --set 'Point loads/p/From=-5, 3'
 
+# Walls, outflow and inflow: wall ENTRY VALUE WHAT, inflow ENTRY VALUE WHAT.
+wall()
+{
+  check "wall: $1 $2" "^--set Walls/w/$1\$" "$3" -- \
+    run "$good" --set 'Walls/Names=w' --set "Walls/w/$1=$2"
+}
+
+inflow()
+{
+  entry=$1 value=$2 what=$3
+  shift 3
+  check "inflow: $entry $value" "^--set Inflow/i/$entry\$" "$what" -- \
+    run "$good" --set 'Inflow/Names=i' --set "Inflow/i/$entry=$value" "$@"
+}
+
+wall 'Line' '1, 1' '1 corners'
+wall 'Line' '1, 1; 1, x' 'no number'
+wall 'Line' '1, 1; 1, 99' 'leaves the grid'
+wall 'Displacement' 't' '1 parts'
+wall 'Type' 'sticky' 'sticky'
+check 'wall: explicit' 'Time stepping/Scheme' 'walls' -- run "$good" \
+  --set 'Walls/Names=w' --set 'Walls/w/Line=1, 1; 1, 2' \
+  --set 'Time stepping/Scheme=explicit'
+set_value 'no such face' 'Outflow/Faces' 'right, front' 'front'
+set_value 'closed face' 'Outflow/Faces' 'bottom' 'closed'
+inflow 'Velocity' 0 '0'
+inflow 'Material' sand 'no material' --set 'Inflow/i/Velocity=1'
+inflow 'From' '0, 0.1' '0.1 m' --set 'Inflow/i/Velocity=1' \
+  --set 'Inflow/i/Material=clay'
+inflow 'Face' bottom 'held' --set 'Inflow/i/Velocity=1' \
+  --set 'Inflow/i/Material=clay'
+
 # The output folder. Root may write anywhere, but not below a file.
 touch file
 set_value 'below a file' 'Output/Directory' file/output 'file'
