@@ -20,7 +20,7 @@ namespace Waker
     prm.add_parameter("Type",
                       type,
                       "rough: the soil sticks to the wall. smooth: it slides "
-                      "along it.",
+                      "along it. Both hold: they pull as well as push.",
                       Patterns::Selection("rough|smooth"));
     prm.add_parameter("Displacement",
                       displacement,

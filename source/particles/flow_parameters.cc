@@ -73,7 +73,8 @@ namespace Waker
   {
     prm.add_parameter("Face",
                       face,
-                      "Face of the grid's box through which soil enters.",
+                      "Face of the grid's box through which soil enters, "
+                      "pushed by its nodes and free of stress.",
                       Patterns::Selection("left|right|bottom|top|back|front"));
     prm.add_parameter("Material",
                       material,
