@@ -8,6 +8,32 @@
 
 namespace Waker
 {
+  namespace
+  {
+    /// Set the bits from begin to before end.
+    inline void
+    set_bits(std::uint64_t *const row, const int begin, const int end)
+    {
+      if (begin >= end)
+        return;
+      const int           first = begin >> 6;
+      const int           last  = (end - 1) >> 6;
+      const std::uint64_t head  = ~std::uint64_t(0) << (begin & 63);
+      const std::uint64_t tail  = ~std::uint64_t(0) >> (63 - ((end - 1) & 63));
+      if (first == last)
+        {
+          row[first] |= head & tail;
+          return;
+        }
+      row[first] |= head;
+      for (int w = first + 1; w < last; ++w)
+        row[w] = ~std::uint64_t(0);
+      row[last] |= tail;
+    }
+  } // namespace
+
+
+
   template <int dim>
   void
   BlockCoverage<dim>::mark(const std::vector<Box<dim>> &boxes)
@@ -39,25 +65,12 @@ namespace Waker
         if (begin[0] >= end[0])
           continue;
 
-        const int           first = begin[0] >> 6;
-        const int           last  = (end[0] - 1) >> 6;
-        const std::uint64_t head  = ~std::uint64_t(0) << (begin[0] & 63);
-        const std::uint64_t tail =
-          ~std::uint64_t(0) >> (63 - ((end[0] - 1) & 63));
         for (int k = begin[2]; k < end[2]; ++k)
           for (int j = begin[1]; j < end[1]; ++j)
             {
               std::uint64_t *const row =
                 bits.data() + (std::size_t(k) * n_lines[1] + j) * words_per_row;
-              if (first == last)
-                {
-                  row[first] |= head & tail;
-                  continue;
-                }
-              row[first] |= head;
-              for (int w = first + 1; w < last; ++w)
-                row[w] = ~std::uint64_t(0);
-              row[last] |= tail;
+              set_bits(row, begin[0], end[0]);
             }
       }
   }
@@ -94,8 +107,7 @@ namespace Waker
             {
               std::uint64_t *const row =
                 bits.data() + (std::size_t(k) * n_lines[1] + j) * words_per_row;
-              for (int i = begin[0]; i < end[0]; ++i)
-                row[i >> 6] |= std::uint64_t(1) << (i & 63);
+              set_bits(row, begin[0], end[0]);
             }
       }
   }
