@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace Waker
@@ -58,6 +59,10 @@ namespace Waker
 
     /// Less than this share of a cell is round-off.
     constexpr double share_tolerance = 1e-9;
+
+    /// A block's volume may differ by this share from that of its points, which
+    /// a deformation has moved.
+    constexpr double share_difference = 0.05;
   } // namespace
 
 
@@ -188,16 +193,15 @@ namespace Waker
     };
     const double filled = share[grid->node(index)];
 
-    // Open directions: soil (or a wall) on one side only. The cell's share is
-    // the product of what is filled along each of them, and the cell further
-    // inside lacks one factor.
+    // Open directions: soil (or a wall) on one side only. There the cell is
+    // filled from that side, as far as the points' own domains reach.
+    const unsigned int            c = grid->node(index);
     Part                          part;
-    std::array<double, dim>       along;
     std::array<unsigned int, dim> open_side;
-    unsigned int                  n_open = 0, n_walls = 0, wall = 0;
+    unsigned int                  n_open  = 0;
     bool                          is_thin = false;
+    double                        product = 1.;
     part.fill({{0., 1.}});
-    along.fill(1.);
     open_side.fill(2);
     for (unsigned int d = 0; d < dim; ++d)
       {
@@ -209,51 +213,31 @@ namespace Waker
           {
             open_side[d] = above == Neighbour::empty ? 1 : 0;
             ++n_open;
-            if ((open_side[d] == 1 ? below : above) == Neighbour::wall)
-              {
-                ++n_walls;
-                wall = d;
-              }
+            product *= (upper_end[c][d] - lower_end[c][d]) / grid->cell_size();
           }
       }
     // Inside the body a cell is taken as full.
     if (n_open == 0)
       {
-        if (is_thin && std::abs(filled - 1.) > 0.01)
+        if (is_thin && std::abs(filled - 1.) > share_difference)
           refuse("which the body does not fill though it ends on both sides");
         if (filled < 0.5)
           refuse("which is hardly filled but has soil on all sides");
         return part;
       }
-    if (n_walls > 1)
-      refuse("where a body of less than a cell leans on two walls");
+    if (std::abs(product - filled) > share_difference * product)
+      refuse("whose points do not fill a block");
 
-    double product = 1.;
-    for (unsigned int d = 0; d < dim; ++d)
-      if (open_side[d] < 2 && !(n_walls == 1 && d == wall))
-        {
-          Index inner = index;
-          inner[d] += open_side[d] == 1 ? -1 : 1;
-          // A cell that has no other open side is full.
-          const double rest = n_open == 1 ? 1. : share[grid->node(inner)];
-          along[d]          = filled / rest;
-          product *= along[d];
-        }
-    if (n_walls == 1)
-      {
-        along[wall] = filled / product;
-        product     = filled;
-      }
-    if (std::abs(product - filled) > 0.01 * filled)
-      refuse("the shares of whose neighbours do not fit a body along the grid");
+    // What is missing, or too much, goes to all open directions alike.
+    const double factor = std::pow(filled / product, 1. / n_open);
     for (unsigned int d = 0; d < dim; ++d)
       {
-        if (along[d] > 1.01)
-          refuse("which is more than full");
+        const double along = std::min(
+          factor * (upper_end[c][d] - lower_end[c][d]) / grid->cell_size(), 1.);
         if (open_side[d] == 1)
-          part[d][1] = std::min(along[d], 1.);
+          part[d][1] = along;
         else if (open_side[d] == 0)
-          part[d][0] = 1. - std::min(along[d], 1.);
+          part[d][0] = 1. - along;
       }
     return part;
   }
@@ -266,13 +250,26 @@ namespace Waker
                                 Facets<dim>               &facets)
   {
     std::fill(share.begin(), share.end(), 0.);
+    Point<dim> far;
+    for (unsigned int d = 0; d < dim; ++d)
+      far[d] = std::numeric_limits<double>::max();
+    lower_end.assign(share.size(), far);
+    upper_end.assign(share.size(), -far);
     const double whole = std::pow(grid->cell_size(), dim);
     for (std::size_t p = 0; p < points.n_points(); ++p)
       {
         Index cell = grid->cell_index(points.position[p]);
         for (unsigned int d = 0; d < dim; ++d)
           cell[d] = std::min(std::max(cell[d], lowest[d]), highest[d] - 1);
-        share[grid->node(cell)] += points.volume[p] / whole;
+        const unsigned int c = grid->node(cell);
+        share[c] += points.volume[p] / whole;
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            const double x  = points.position[p][d];
+            const double l  = points.half_size[p][d];
+            lower_end[c][d] = std::min(lower_end[c][d], x - l);
+            upper_end[c][d] = std::max(upper_end[c][d], x + l);
+          }
       }
 
     facets.clear();

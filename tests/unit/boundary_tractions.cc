@@ -86,6 +86,81 @@ TEST(Boundary, tractions_on_a_bar_of_standard_material_points)
 }
 
 
+// The same in space: a block anywhere on the grid, under 1 kPa from all sides.
+TEST(Boundary, tractions_on_a_block_in_three_dimensions)
+{
+  for (const double x : {1., 1.2, 1.5, 1.83})
+    for (const std::string functions : {"GIMP", "linear"})
+      {
+        Parameters p;
+        p.dimension         = 3;
+        p.grid.lower_corner = {0., 0., 0.};
+        p.grid.upper_corner = {5., 5., 5.};
+        p.grid.cell_size    = 1.;
+        // A surface by volume fits across itself, and where the sides along it
+        // lie on the grid: a layer of points is not where its volume is put.
+        const double y         = functions == "GIMP" ? x + 0.11 : 1.;
+        const double z         = functions == "GIMP" ? 0.95 * x : 1.;
+        p.mapping.functions    = functions;
+        p.gravity.acceleration = 0.;
+        p.materials.resize(1);
+        p.materials[0].name  = "soil";
+        p.materials[0].model = "linear elastic";
+        p.layers.resize(1);
+        p.layers[0].name     = "block";
+        p.layers[0].material = "soil";
+        // Made on the sub-cells, and then moved.
+        p.layers[0].polygon = "1, 1; 3, 1; 3, 3; 1, 3";
+        p.layers[0].extent  = {1., 3.};
+
+        std::vector<std::string> methods = {functions == "GIMP" ? "contour"
+                                                                : "volume",
+                                            "surface nodes",
+                                            "updated points"};
+        for (const std::string &method : methods)
+          {
+            TractionParameters traction;
+            traction.name   = method;
+            traction.method = method;
+            traction.value  = "1";
+            p.tractions.push_back(traction);
+          }
+        p.gravity.initial_stress = false;
+
+        const Case<3>     the_case(p, MPI_COMM_SELF);
+        MaterialPoints<3> points = the_case.initial_points;
+        for (std::size_t q = 0; q < points.n_points(); ++q)
+          {
+            points.position[q] += Point<3>(x, y, z) - Point<3>(1, 1, 1);
+            points.stress[q] = -unit_symmetric_tensor<3>();
+          }
+        Scene<3> scene(the_case);
+        scene.set(points);
+        scene.set_internal_force(points);
+        double largest[3] = {0., 0., 0.}, total = 0.;
+        for (unsigned int i = 0; i < the_case.grid.n_dofs(); ++i)
+          {
+            if (functions == "linear" && i % 3 != 0)
+              continue;
+            const double f = scene.nodes.internal_force.local_element(i);
+            total += std::abs(f);
+            for (unsigned int k = 0; k < 3; ++k)
+              largest[k] = std::max(
+                largest[k],
+                std::abs(
+                  f - scene.tractions.view(k).nodal_force->local_element(i)));
+          }
+        EXPECT_GT(total, 5.);
+        EXPECT_LT(largest[0], 1e-12) << methods[0] << ", " << x;
+        EXPECT_GT(largest[2], 0.05) << x;
+        if (functions == "GIMP")
+          {
+            EXPECT_GT(largest[1], 0.04) << x;
+          }
+      }
+}
+
+
 // The loads of fixed points are those of the start; updated ones follow.
 TEST(Boundary, fixed_and_updated_point_loads)
 {

@@ -41,9 +41,12 @@ namespace Waker
     /**
      * The surface that encloses in each cell the volume of the points which it
      * holds (section 3.3.4 of Remmerswaal 2023): consistent with the internal
-     * force of standard MPM. Where that is depends on the cells around, and it
-     * is only determined for bodies that lie along the grid: blocks, bars,
-     * layers, at least two cells thick where they end inside a cell.
+     * force of standard MPM where the sides along it lie on lines of the grid
+     * (a layer of points in a cell is not where its volume is put). That is
+     * determined only for bodies that lie along the grid: blocks, bars, layers,
+     * in two cells at least where they end inside one. A cell that is open on
+     * one side is filled from the other, in each direction as far as its
+     * points' own domains reach together.
      *
      * @param path of the parameter that asked for it, for the error
      * @param facets overwritten
@@ -85,6 +88,9 @@ namespace Waker
     Index                      highest; // exclusive
     /// Share of each cell that is filled, by its lower left node.
     std::vector<double> share;
+    /// How far the domains of the points in each cell reach (m).
+    std::vector<Point<dim>> lower_end;
+    std::vector<Point<dim>> upper_end;
   };
 } // namespace Waker
 
