@@ -102,6 +102,7 @@ def footing(runs, name, size, points, sets=None):
     run = runs.run(f"walls/footing-{name}", "footing.prm",
                    {"Grid/Cell size": size,
                     "Material points/Points per direction": points,
+                    "Time stepping/Time step": 0.5,
                     "Output/Grid": "false", "Output/Interval": 0,
                     **(sets or {})})
     return run.statistics
@@ -114,18 +115,16 @@ def footing_by_nodes(runs):
     text, n = re.subn(r"\nsubsection Walls\n.*?\nend\n", "\n", text,
                       flags=re.DOTALL)
     assert n == 1
-    text = text.replace("base, sides, axis", "base, sides, axis, footing")
-    text += """
-subsection Boundary conditions
+    names = "  set Names = base, sides, axis"
+    assert names in text
+    text = text.replace(names, names + """, footing
   subsection footing
     set Region       = box
     set From         = 0, 2.5
     set To           = 0.5, 2.5
     set Type         = prescribed
     set Displacement = 0; -0.001*t
-  end
-end
-"""
+  end""")
     path = runs.path("walls", "footing_by_nodes.prm")
     write_text(path, text)
     return path
@@ -150,7 +149,7 @@ def study_footing(runs, numbers):
                     for s in (0.01, 0.02)]
     # Elastic: the first step, 0.2 mm. The work of the only support that moves
     # tells its force.
-    end = {"Time stepping/End time": 0.2}
+    end = {"Time stepping/Time step": 0.2, "Time stepping/End time": 0.2}
     by_wall = footing(runs, "wall-on-grid", 0.125, 2, {
         **end, **ON_GRID, "Walls/footing/Line": "0.5, 2.5; 0, 2.5"})
     off_grid = footing(runs, "wall-off-grid", 0.125, 2, end)
