@@ -155,11 +155,10 @@ def slope_table():
             if not isinstance(value, dict)]
     rows = []
     for key in dict.fromkeys(keys):
-        name = key.replace("_m2", " (m²)").replace("_m", " (m)")
         cells = [numbers[run].get(key, "–") for run in numbers]
         if key.endswith("share"):
             cells = [percent(c) for c in cells]
-        rows.append([name.replace("_", " ")] +
+        rows.append([key] +
                     [f"{c:.3g}" if isinstance(c, float) else c for c in cells])
     return table(["", *numbers], rows)
 
