@@ -212,17 +212,25 @@ namespace Waker
     load(points, range, work);
     (*materials)[m]->update_block(n_points, block);
 
+    if (logarithmic)
+      {
+        for (unsigned int l = 0; l < n_points; ++l)
+          {
+            const std::size_t    p = range.begin + l;
+            const Tensor<2, dim> P =
+              natural_volume(points, p) *
+              steps[p].first_piola(block_stress(block, l));
+            stencil.scatter_gradient(weights[p], P, force);
+          }
+        return;
+      }
     for (unsigned int l = 0; l < n_points; ++l)
       {
         const std::size_t p = range.begin + l;
         Tensor<2, dim>    P;
-        if (logarithmic)
-          P = natural_volume(points, p) *
-              steps[p].first_piola(block_stress(block, l));
-        else
-          for (unsigned int i = 0; i < dim; ++i)
-            for (unsigned int j = 0; j < dim; ++j)
-              P[i][j] = points.volume[p] * block.stress[entry(i, j)][l];
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int j = 0; j < dim; ++j)
+            P[i][j] = points.volume[p] * block.stress[entry(i, j)][l];
         stencil.scatter_gradient(weights[p], P, force);
       }
   }

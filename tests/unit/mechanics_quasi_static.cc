@@ -91,8 +91,9 @@ namespace
   check_proportional()
   {
     TimeParameters time;
-    time.move_points   = false;
-    time.load_duration = 2.;
+    time.move_points     = false;
+    time.ghost_stiffness = 0.; // it has no memory
+    time.load_duration   = 2.;
     Block<dim> stepwise(time), at_once(time);
     for (unsigned int k = 0; k < 4; ++k)
       {
@@ -162,7 +163,7 @@ namespace
     EXPECT_LT(settled, -0.0050);
     EXPECT_GT(settled, -0.0080);
     const EnergyAccount &account = block.account;
-    EXPECT_EQ(account.water_work, 0.);
+    EXPECT_NEAR(account.water_work, 0., 1e-12 * account.gravity_work);
     EXPECT_GT(account.gravity_work, 0.9 * account.elastic);
     EXPECT_NEAR(account.remainder(), 0., 1e-8 * account.gravity_work);
     EXPECT_LT(std::abs(account.mapping_loss), 0.02 * account.gravity_work);
