@@ -172,6 +172,11 @@ namespace Waker
         R -= nodes.internal_force;
         for (const unsigned int dof : fixities.removed_list())
           R.begin()[dof] = 0.;
+        // A load on a node without material has nothing to act on.
+        for (std::size_t i = 0; i < nodes.mass.size(); ++i)
+          if (!(nodes.mass[i] > 0.))
+            for (unsigned int c = 0; c < dim; ++c)
+              R.begin()[dim * i + c] = 0.;
         for (std::size_t k = 0; k < springs.dofs.size(); ++k)
           R.begin()[springs.dofs[k]] -=
             springs.stiffness[k] * nodes.increment.begin()[springs.dofs[k]];

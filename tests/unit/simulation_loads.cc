@@ -172,3 +172,42 @@ TEST(Simulation, water_rises)
   EXPECT_EQ(scene.water_level(10.), 0.75);
   EXPECT_NEAR(scene.water_resultant.force[0], 5. * 0.75 * 0.75, 1e-12);
 }
+
+
+// A detected surface may lie in cells without material: what it puts on their
+// nodes must not stop the solver of the static step.
+TEST(Simulation, gravity_step_in_three_dimensions_under_a_detected_surface)
+{
+  Parameters p;
+  p.dimension         = 3;
+  p.grid.lower_corner = {0., 0., 0.};
+  p.grid.upper_corner = {4., 3., 3.};
+  p.grid.cell_size    = 0.5;
+  p.materials.resize(1);
+  p.materials[0].name  = "soil";
+  p.materials[0].model = "linear elastic";
+  p.layers.resize(1);
+  p.layers[0].name     = "block";
+  p.layers[0].material = "soil";
+  p.layers[0].polygon  = "0,0; 2.2,0; 2.2,2; 0,2";
+  p.layers[0].extent   = {0., 1.7};
+  p.fixities.resize(1);
+  p.fixities[0].name   = "base";
+  p.fixities[0].region = "bottom";
+  p.tractions.resize(1);
+  p.tractions[0].name   = "load";
+  p.tractions[0].method = "proximity field";
+  p.tractions[0].value  = "5";
+  const Case<3> the_case(p, MPI_COMM_SELF);
+  EXPECT_TRUE(the_case.gravity_report.converged);
+
+  // The case is the one meant: a node without mass has a load.
+  Scene<3> scene(the_case);
+  scene.set(the_case.initial_points);
+  const NodalVector &force  = *scene.tractions.view(0).nodal_force;
+  double             beside = 0.;
+  for (unsigned int i = 0; i < the_case.grid.n_dofs(); ++i)
+    if (scene.nodes.mass[i / 3] == 0.)
+      beside = std::max(beside, std::abs(force.local_element(i)));
+  EXPECT_GT(beside, 0.);
+}
