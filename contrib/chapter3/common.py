@@ -3,11 +3,13 @@
 nodal forces, writing figures with their data.
 
 A run is kept in a folder and is not repeated: a study that was interrupted goes
-on where it stopped. `--again` repeats everything, as a changed program needs.
+on where it stopped. A changed program, parameter file or setting makes it run
+again; `--again` repeats everything.
 """
 
 import argparse
 import csv
+import hashlib
 import json
 import os
 import shutil
@@ -56,6 +58,8 @@ class Runs:
         self.waker = os.path.abspath(arguments.waker)
         self.folder = os.path.abspath(arguments.runs)
         self.again = arguments.again
+        with open(self.waker, "rb") as stream:
+            self.program = hashlib.sha256(stream.read()).hexdigest()
         os.makedirs(self.folder, exist_ok=True)
 
     def path(self, *names):
@@ -77,7 +81,8 @@ class Runs:
         for key, value in values.items():
             arguments += ["--set", f"{key}={value}"]
         with open(arguments[1], encoding="utf-8") as stream:
-            inputs = {"arguments": arguments, "file": stream.read()}
+            inputs = {"arguments": arguments, "file": stream.read(),
+                      "program": self.program}
         stamp = os.path.join(folder, "inputs.json")
         if not self.again and os.path.exists(stamp):
             with open(stamp, encoding="utf-8") as stream:

@@ -12,7 +12,8 @@ CHORDS = 180
 CELLS = (4, 6, 8, 12, 16, 24, 32)  # per metre
 # Placement of the points, and the share of a full mass below which a node
 # carries no load.
-VARIANTS = (("sub-cells", 0.0), ("sub-cells", 0.02), ("rows", 0.02))
+VARIANTS = (("sub-cells", 0.0), ("sub-cells", 0.02), ("rows", 0.0),
+            ("rows", 0.02))
 NAMES = {"points": "fixed points", "nodes": "surface nodes",
          "surface": "user surface", "detected": "proximity field",
          "contour": "contour"}
@@ -83,7 +84,7 @@ def main():
     numbers = {}
     columns = {"placement": [], "minimum_support": [], "method": [], "cells_per_m": [],
                "displacement_error": [], "stress_error": []}
-    figure, axes = plt.subplots(3, 2, figsize=(10, 10.5), sharex=True)
+    figure, axes = plt.subplots(4, 2, figsize=(10, 13.5), sharex=True)
     for row, (placement, support) in zip(axes, VARIANTS):
         for method in NAMES:
             values = np.array([errors(runs, placement, support, method,

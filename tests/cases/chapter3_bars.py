@@ -73,7 +73,7 @@ def check_inclined_bar(checks, runs):
                          values["contour"]["max " + axis], 1e-3, "%")
             if tangent == 0.5:
                 checks.between(f"points, mean E_F{axis}",
-                               values["points"]["mean " + axis], 38, 55, "%")
+                               values["points"]["mean " + axis], 40, 60, "%")
                 checks.between(f"nodes, mean E_F{axis}",
                                values["nodes"]["mean " + axis], 80, 120, "%")
 
