@@ -130,11 +130,17 @@ TEST(Program, printed_template_is_a_parameter_file)
   print_parameters(markdown, "markdown");
   EXPECT_NE(markdown.str().find("| Cell size | 0.25 |"), std::string::npos);
   EXPECT_THROW(print_parameters(prm, "yaml"), UserError);
-  // All that a user must fill in is the profile.
+  // All that a user must fill in: the profile, and the places of what is not
+  // wanted by every case.
   const auto p =
     read_parameters(write_case(prm.str()),
                     {"Soil profile/<name>/Material=<name>",
-                     "Soil profile/<name>/Polygon=0,0; 1,0; 1,1; 0,1"});
+                     "Soil profile/<name>/Polygon=0,0; 1,0; 1,1; 0,1",
+                     "Point loads/<name>/From=0.5, 0.5",
+                     "Point loads/<name>/Force=0, -1",
+                     "Walls/<name>/Line=0, 0; 1, 0",
+                     "Inflow/<name>/Material=<name>",
+                     "Inflow/<name>/Velocity=1"});
   EXPECT_EQ(p->materials[0].name, "<name>");
 }
 
