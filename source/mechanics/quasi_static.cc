@@ -32,7 +32,6 @@ namespace Waker
                  in.time.ghost_stiffness > 0. ? &ghost : nullptr)
         , reached(in.grid)
         , start_force(in.grid.n_dofs())
-        , last_load(in.grid.n_dofs())
       {}
 
       double
@@ -86,8 +85,6 @@ namespace Waker
       NewtonSolver<dim>      newton;
       ReachedNodes           reached;
       NodalVector            start_force; // internal, at the start, kN
-      NodalVector            last_load;   // of the last step, but weight, kN
-      bool                   has_last_load = false;
       std::vector<double>    removed_increments;
       std::vector<double>    spring_targets;
     };
@@ -188,13 +185,13 @@ namespace Waker
       const double *const external = nodes.external_force.begin();
       const double *const internal = nodes.internal_force.begin();
       double *const       start    = start_force.begin();
-      double *const       last     = last_load.begin();
+      const double *const before =
+        nodes.start_force.size() > 0 ? nodes.start_force.begin() : external;
 
-      // In the first step nothing has moved before: the body is in balance, and
-      // if it has no stress it carries no load.
-      const double s_end    = load_factor(t + dt);
-      const bool   stressed = has_last_load || start_force.linfty_norm() > 0.;
-      const double s_start  = stressed ? load_factor(t) : 0.;
+      // A body without stress has carried no load.
+      const double s_end = load_factor(t + dt);
+      const double s_start =
+        start_force.linfty_norm() > 0. ? load_factor(t) : 0.;
       const unsigned char *const removed = in.fixities.removed().data();
 
       for (const auto &run : reached)
@@ -205,9 +202,7 @@ namespace Waker
               const double weight   = c == 1 ? -nodes.mass[i] * in.gravity : 0.;
               const double load     = external[dof] - weight;
               const double balance  = start[dof] - s_start * weight;
-              const double start_load = has_last_load  ? s_start * last[dof]
-                                        : removed[dof] ? s_start * load
-                                                       : balance;
+              const double start_load = s_start * (before[dof] - weight);
 
               report.gravity_work += 0.5 * (s_start + s_end) * weight * u[dof];
               report.water_work += 0.5 * (start_load + s_end * load) * u[dof];
@@ -229,11 +224,6 @@ namespace Waker
           ghost.add_force(nodes.increment, start_force);
           report.mapping_loss += 0.5 * (start_force * nodes.increment);
         }
-
-      last_load = nodes.external_force;
-      for (std::size_t i = 0; i < nodes.mass.size(); ++i)
-        last[dim * i + 1] += nodes.mass[i] * in.gravity;
-      has_last_load = true;
     }
   } // namespace
 

@@ -194,7 +194,16 @@ namespace Waker
           map.lines[section.path] = section.where;
         }
       for (const DeclaredParameter &parameter : declared)
-        map.known.insert(parameter.path());
+        {
+          map.known.insert(parameter.path());
+          // deal.II writes some defaults in its own way: 1e-04.
+          const std::string value =
+            normalised(parameter.value, parameter.pattern);
+          if (value != parameter.value)
+            set_entry(prm,
+                      {parameter.section, parameter.name, value, ""},
+                      parameter);
+        }
       for (const PrmEntry &entry : contents.entries)
         {
           set_entry(prm, entry, find_declared(entry, declared));

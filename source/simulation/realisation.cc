@@ -24,16 +24,15 @@ namespace Waker
      */
     template <int dim>
     void
-    use_mean_load(const NodalVector &start_force,
-                  const NodalState  &nodes,
-                  const double       ramp,
-                  StepReport<dim>   &report)
+    use_mean_load(const NodalState &nodes,
+                  const double      ramp,
+                  StepReport<dim>  &report)
     {
       double difference = 0.;
-      for (unsigned int i = 0; i < start_force.locally_owned_size(); ++i)
+      for (unsigned int i = 0; i < nodes.start_force.locally_owned_size(); ++i)
         difference += 0.5 *
                       (nodes.external_force.local_element(i) -
-                       start_force.local_element(i)) *
+                       nodes.start_force.local_element(i)) *
                       nodes.increment.local_element(i);
       report.water_work -= difference;
       report.mapping_loss -= ramp * difference;
@@ -126,7 +125,7 @@ namespace Waker
     const bool            loads_move = scene.loads_move();
     double                dt;
     if (loads_move)
-      start_force = scene.nodes.external_force;
+      scene.nodes.start_force = scene.nodes.external_force;
     while (true)
       {
         dt = next_time_step();
@@ -157,8 +156,7 @@ namespace Waker
     scheme->update_points(
       scene.weights, state->time, dt, scene.nodes, state->points, report);
     if (loads_move && time.scheme == "Newmark")
-      use_mean_load(start_force,
-                    scene.nodes,
+      use_mean_load(scene.nodes,
                     residual_ramp(state->time, time.ramp_duration),
                     report);
     if (!scene.walls.empty())

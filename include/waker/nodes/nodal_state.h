@@ -27,14 +27,16 @@ namespace Waker
       , new_acceleration(grid.n_dofs())
     {}
 
-    std::vector<double> mass;             // lumped, Mg; one per node
-    NodalVector         velocity;         // at the start of the step, m/s
-    NodalVector         acceleration;     // at the start of the step, m/s^2
-    NodalVector         external_force;   // weight and water, kN
-    NodalVector         internal_force;   // at the end of the step, kN
-    NodalVector         increment;        // displacement of the step, m
-    NodalVector         new_velocity;     // at the end of the step, m/s
-    NodalVector         new_acceleration; // at the end of the step, m/s^2
+    std::vector<double> mass;           // lumped, Mg; one per node
+    NodalVector         velocity;       // at the start of the step, m/s
+    NodalVector         acceleration;   // at the start of the step, m/s^2
+    NodalVector         external_force; // weight and loads at its end, kN
+    NodalVector         start_force;    // the same at its start, kN; empty if
+                                        // loads do not change in time
+    NodalVector internal_force;         // at the end of the step, kN
+    NodalVector increment;              // displacement of the step, m
+    NodalVector new_velocity;           // at the end of the step, m/s
+    NodalVector new_acceleration;       // at the end of the step, m/s^2
   };
 } // namespace Waker
 

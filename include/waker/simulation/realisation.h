@@ -50,8 +50,7 @@ namespace Waker
     State<dim>                      *state;
     Scene<dim>                       scene;
     std::unique_ptr<TimeScheme<dim>> scheme;
-    StepReport<dim>                  report;      // of the last step
-    NodalVector                      start_force; // external, kN
+    StepReport<dim>                  report; // of the last step
   };
 } // namespace Waker
 
