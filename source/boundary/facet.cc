@@ -65,11 +65,15 @@ namespace Waker
     facets.clear();
     for (const SurfaceChain &chain : surface.chains)
       {
-        const std::size_t n = chain.vertices.size();
+        const std::size_t n       = chain.vertices.size();
+        const bool        in_hole = chain.area() < 0.;
         for (std::size_t k = 0; k < n; ++k)
-          facets.push_back(
-            make_facet<2>({{chain.vertices[k], chain.vertices[(k + 1) % n]}},
-                          chain.on_face[k]));
+          {
+            facets.push_back(
+              make_facet<2>({{chain.vertices[k], chain.vertices[(k + 1) % n]}},
+                            chain.on_face[k]));
+            facets.back().in_hole = in_hole;
+          }
       }
   }
 

@@ -24,7 +24,8 @@ namespace Waker
       Facets<3>    facets;
       for (const SurfaceChain &chain : surface.chains)
         {
-          const std::size_t n = chain.vertices.size();
+          const std::size_t n       = chain.vertices.size();
+          const bool        in_hole = chain.area() < 0.;
           for (std::size_t k = 0; k < n; ++k)
             {
               // The body is on the left seen from the front.
@@ -38,6 +39,8 @@ namespace Waker
                 make_facet<3>({{x[0], x[2], x[1]}}, chain.on_face[k]));
               facets.push_back(
                 make_facet<3>({{x[0], x[3], x[2]}}, chain.on_face[k]));
+              for (unsigned int i = 1; i <= 2; ++i)
+                facets[facets.size() - i].in_hole = in_hole;
             }
         }
       return facets;
@@ -126,12 +129,16 @@ namespace Waker
           cells.find_active(*points, functions, surface.facets);
         else if (i == 3)
           cells.find_volume(*points, path, surface.facets);
-        else if (is_spatial() && i == 1)
-          contour.detect(*points, surface.facets);
         else if (is_spatial())
           {
-            proximity.detect(*points, surface.facets);
-            has_field = true;
+            if (i == 1)
+              contour.detect(*points, surface.facets);
+            else
+              {
+                proximity.detect(*points, surface.facets);
+                has_field = true;
+              }
+            holes.mark(1e-9 * grid->cell_size(), surface.facets);
           }
         else
           surface.facets = extrude(chains(method), *grid);

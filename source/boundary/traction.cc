@@ -34,6 +34,7 @@ namespace Waker
                                            : Kind::hydrostatic)
     , unit_weight(parameters.unit_weight)
     , tolerance(tolerance)
+    , holes(parameters.holes)
   {
     const std::string path = "Tractions/" + parameters.name + "/";
     if (kind == Kind::hydrostatic)
@@ -82,7 +83,8 @@ namespace Waker
   {
     part.clear();
     for (const Facet<dim> &facet : surface)
-      if (facet.on_face < 0 && !(faces && facet.normal * facing < least_cosine))
+      if (facet.on_face < 0 && (holes || !facet.in_hole) &&
+          !(faces && facet.normal * facing < least_cosine))
         part.push_back(facet);
     if (has_box)
       for (unsigned int d = 0; d < dim; ++d)

@@ -73,6 +73,12 @@ namespace Waker
                       opening,
                       "Largest angle (degrees) between the normal and Facing.",
                       Patterns::Double(0., 180.));
+    prm.add_parameter("Holes",
+                      holes,
+                      "proximity field and contour: load the holes inside a "
+                      "body, too. A liquid that stands outside does not reach "
+                      "them.",
+                      Patterns::Bool());
     prm.add_parameter("Minimum support",
                       minimum_support,
                       "A node carries load only if its mass is at least this "

@@ -27,6 +27,8 @@ namespace Waker
     /// Face of the grid that the facet closes the body against (2d lower, 2d +
     /// 1 upper face in direction d), or -1: a free surface.
     int on_face = -1;
+    /// Does it bound a hole that lies inside a body?
+    bool in_hole = false;
 
     /// Length (m) or area (m^2).
     double

@@ -5,6 +5,7 @@
 #include <waker/boundary/cell_surface.h>
 #include <waker/boundary/domain_contour.h>
 #include <waker/boundary/facet.h>
+#include <waker/boundary/holes.h>
 #include <waker/boundary/proximity_field.h>
 #include <waker/boundary/surface.h>
 
@@ -85,6 +86,7 @@ namespace Waker
     ProximityField<dim> proximity;
     DomainContour<dim>  contour;
     CellSurface<dim>    cells;
+    Holes               holes;
 
     bool    has_chains[2] = {false, false}; // proximity field, contour
     Surface found_chains[2];

@@ -25,7 +25,8 @@ namespace Waker
     Traction(const TractionParameters &parameters, const double tolerance);
 
     /// The part of a surface that may be loaded at some time: in the box, with
-    /// the right normal, not on a closed face of the grid. Cut exactly.
+    /// the right normal, not on a closed face of the grid, and in a hole only
+    /// if these are wanted. Cut exactly.
     /// @param part overwritten
     void
     select(const Facets<dim> &surface, Facets<dim> &part);
@@ -67,6 +68,7 @@ namespace Waker
     double                       unit_weight;
     double                       tolerance; // m
 
+    bool           holes   = false; // are they loaded?
     bool           has_box = false;
     Point<dim>     lower, upper;  // of the box
     bool           faces = false; // only one way?

@@ -55,6 +55,10 @@ namespace Waker
     std::vector<double> facing;
     double              opening = 89.;
 
+    /// "proximity field", "contour": are holes inside a body loaded, too? They
+    /// are gaps that a liquid outside does not reach.
+    bool holes = false;
+
     /// A node carries load only if its mass is at least this share of a full
     /// node's; 0: all do.
     double minimum_support = 0.;
