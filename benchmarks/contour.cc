@@ -3,9 +3,14 @@
 // The contour of support domains: of square bodies and of long ones as they
 // grow, and of the dyke in motion. "surface" is the number of domains at the
 // surface, "swept" how many the slab method has visited, "coverage" the time in
-// seconds that it took to find out which.
+// seconds that it took to find out which. Over a whole run of the weak dyke:
+// what detection, load and all of a step take on average (s), and the shares of
+// the first two, with the proximity field and with the contour.
 #include <waker/boundary/box_union_contour.h>
 #include <waker/boundary/domain_contour.h>
+#include <waker/boundary/surface_finder.h>
+#include <waker/boundary/water_load.h>
+#include <waker/program/parameter_reader.h>
 
 #include "dyke.h"
 #include <ctime>
@@ -49,10 +54,12 @@ namespace WakerBenchmarks
       BoxUnionRules<2> rules;
       rules.minimum_gap[0] = rules.minimum_gap[1] = 0.0625;
       rules.restricted                            = restricted;
-      BoxUnionContour  contour;
-      BlockCoverage<2> coverage;
-      Surface          surface;
-      std::size_t      n_found = 0;
+      BoxUnionContour contour;
+      PlaneCoverage   coverage;
+      Surface         surface;
+      std::size_t     n_found = 0;
+
+      std::vector<unsigned int> numbers;
 
       std::size_t repetitions = 0;
       for (auto _ : timer)
@@ -64,8 +71,8 @@ namespace WakerBenchmarks
       for (std::size_t r = 0; restricted && r < repetitions; ++r)
         {
           coverage.reinit(boxes, rules);
-          for (const Box<2> &box : boxes)
-            n_found += coverage.touches_open_block(box);
+          coverage.find_open(numbers);
+          n_found += numbers.size();
         }
       const double in_coverage =
         static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
@@ -92,6 +99,73 @@ namespace WakerBenchmarks
           time_body(timer, body(n_x, n_y), n_surface, restricted);
         })
         ->Unit(benchmark::kMillisecond);
+    }
+
+
+    // CPU time of this thread (s).
+    double
+    cpu_time()
+    {
+      timespec time;
+      clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+      return time.tv_sec + 1e-9 * time.tv_nsec;
+    }
+
+
+    // Detection and load, done once more beside each step of the weak dyke,
+    // until it floods; and the steps.
+    void
+    time_shares(benchmark::State &timer, const std::string &method)
+    {
+      const auto parameters =
+        read_parameters(WAKER_SOURCE_DIRECTORY
+                        "/parameters/chapter5/dyke_weak.prm",
+                        {"Surface/Method=" + method});
+      const Case<2>    the_case(*parameters, MPI_COMM_SELF);
+      SurfaceFinder<2> surfaces(the_case.grid,
+                                parameters->surface,
+                                ShapeFunctions::gimp,
+                                the_case.fixities.closed_faces());
+      WaterLoad<2>     water(the_case.grid, parameters->water);
+      NodalState       nodes(the_case.grid);
+
+      double        detection = 0., load = 0., steps = 0.;
+      std::uint64_t n_steps = 0;
+      for (auto _ : timer)
+        {
+          State<2>       state = initial_state(the_case);
+          Realisation<2> realisation(the_case, state);
+          while (true)
+            {
+              const double start   = cpu_time();
+              const bool   goes_on = realisation.look() == StopReason::none;
+              const double seen    = cpu_time();
+              if (!goes_on)
+                break;
+              surfaces.reset(state.points);
+              const Surface &surface  = surfaces.chains();
+              const double   detected = cpu_time();
+              water.find_wetted_segments(surface);
+              water.add_nodal_forces(realisation.view().nodes.mass,
+                                     the_case.full_node_mass,
+                                     nodes.external_force);
+              benchmark::DoNotOptimize(water.resultant());
+              const double loaded = cpu_time();
+              realisation.advance();
+              steps += seen - start + cpu_time() - loaded;
+              detection += detected - seen;
+              load += loaded - detected;
+              ++n_steps;
+            }
+          if (!state.failure.flooded())
+            timer.SkipWithError("the weak dyke does not flood");
+        }
+      timer.counters["steps"]           = n_steps;
+      timer.counters["step"]            = steps / n_steps;
+      timer.counters["detection"]       = detection / n_steps;
+      timer.counters["load"]            = load / n_steps;
+      timer.counters["detection share"] = detection / steps;
+      timer.counters["load share"]      = load / steps;
     }
   } // namespace
 
@@ -121,6 +195,13 @@ namespace WakerBenchmarks
             contour.detect(dyke.state.points, surface);
           count_points(timer, dyke.state.points.n_points());
         })
+        ->Unit(benchmark::kMillisecond);
+
+    for (const char *const method : {"proximity field", "contour"})
+      benchmark::RegisterBenchmark(
+        (std::string("contour/weak dyke to flooding/") + method).c_str(),
+        [method](benchmark::State &timer) { time_shares(timer, method); })
+        ->Iterations(1)
         ->Unit(benchmark::kMillisecond);
   }
 } // namespace WakerBenchmarks

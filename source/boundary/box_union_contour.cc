@@ -48,25 +48,22 @@ namespace Waker
   void
   BoxUnionContour::select(const std::vector<Box<2>> &boxes)
   {
+    const auto add = [this](const Box<2> &box) {
+      swept.push_back(box);
+      if (!cut_at_closed_faces(rules, swept.back()))
+        swept.pop_back();
+    };
     swept.clear();
     if (rules.restricted)
-      coverage.reinit(boxes, rules);
-    const double left  = rules.minimum_gap[0];
-    const double right = rules.symmetric ? left : 0.;
-    for (const Box<2> &box : boxes)
       {
-        if (rules.restricted)
-          {
-            Box<2> reach = box;
-            reach.lower[0] -= left;
-            reach.upper[0] += right;
-            if (!coverage.touches_open_block(reach))
-              continue;
-          }
-        swept.push_back(box);
-        if (!cut_at_closed_faces(rules, swept.back()))
-          swept.pop_back();
+        coverage.reinit(boxes, rules);
+        coverage.find_open(near_surface);
+        for (const unsigned int i : near_surface)
+          add(boxes[i]);
       }
+    else
+      for (const Box<2> &box : boxes)
+        add(box);
     n_boxes = swept.size();
 
     if (rules.restricted)

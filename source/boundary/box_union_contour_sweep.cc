@@ -11,7 +11,11 @@ namespace Waker
   BoxUnionContour::start_sweep()
   {
     const unsigned int n = y.size() - 1;
-    segments.assign(n, Segment());
+    segments.resize(n + 1);
+    for (unsigned int r = 0; r <= n; ++r)
+      segments[r].y = y[r];
+    segments[0]   = Segment();
+    segments[0].y = y[0];
     active.reinit(n);
     active.insert(0);
     segments[0].next = n;
@@ -38,13 +42,14 @@ namespace Waker
   {
     if (!active.contains(r))
       {
-        const unsigned int below = active.previous(r);
-        segments[r]              = segments[below];
-        segments[r].previous     = below;
-        segments[r].n_edges      = 0;
-        segments[below].next     = r;
-        if (segments[r].next < segments.size())
-          segments[segments[r].next].previous = r;
+        const unsigned int below            = active.previous(r);
+        const double       place            = segments[r].y;
+        segments[r]                         = segments[below];
+        segments[r].y                       = place;
+        segments[r].previous                = below;
+        segments[r].n_edges                 = 0;
+        segments[below].next                = r;
+        segments[segments[r].next].previous = r;
         active.insert(r);
       }
     ++segments[r].n_edges;
@@ -61,9 +66,8 @@ namespace Waker
     Segment &below = segments[s.previous];
     if (below.inside != s.inside || below.before_filling != s.before_filling)
       return;
-    below.next = s.next;
-    if (s.next < segments.size())
-      segments[s.next].previous = s.previous;
+    below.next                = s.next;
+    segments[s.next].previous = s.previous;
     active.erase(r);
   }
 
@@ -72,67 +76,75 @@ namespace Waker
   void
   BoxUnionContour::apply(const unsigned int box, const Change change)
   {
-    const bool extended = rules.minimum_gap[0] > 0.;
-    int        boxes = 0, extensions = 0, covers = 0;
-    bool       last = false;
-    switch (change)
-      {
-        case extension_begins:
-          extensions = 1;
-          break;
-        case extension_ends:
-          extensions = -1;
-          last       = true;
-          break;
-        case box_begins:
-          boxes      = 1;
-          extensions = extended ? -1 : 0;
-          break;
-        case box_ends:
-          boxes = -1;
-          last  = true;
-          break;
-        case cover_begins:
-          covers = 1;
-          break;
-        case cover_ends:
-          covers = -1;
-          last   = true;
-          break;
-        default: // a face
-          return;
-      }
-
+    if (change > extension_ends) // a face
+      return;
     const unsigned int begin   = y_ranks[2 * box];
     const unsigned int end     = y_ranks[2 * box + 1];
     bool               matters = false;
-    for (unsigned int r = begin; r < end; r = segments[r].next)
+    const auto         for_all = [&](const auto &change_segment) {
+      for (unsigned int r = begin; r < end; r = segments[r].next)
+        matters |= change_segment(segments[r]);
+    };
+    // What is inside only because its run is filled stays so when it becomes
+    // solid. So a beginning matters where nothing was inside, an end where
+    // neither a rectangle nor an extension is left. The events at one x come in
+    // any order: who leaves nothing counts too.
+    const auto is_left = [](const Segment &s) {
+      return s.n_boxes > 0 || s.n_extensions > 0;
+    };
+    switch (change)
       {
-        Segment   &s      = segments[r];
-        const bool before = s.n_boxes > 0;
-        s.n_boxes += boxes;
-        s.n_extensions += extensions;
-        s.n_covers += covers;
-        matters |= !(before && s.n_boxes > 0);
+        case extension_begins:
+          for_all([&](Segment &s) {
+            ++s.n_extensions;
+            return at_left_face || s.n_extensions <= 0;
+          });
+          break;
+        case extension_ends:
+          for_all([&](Segment &s) {
+            --s.n_extensions;
+            return !is_left(s);
+          });
+          break;
+        case box_begins:
+          {
+            const int  extension = rules.minimum_gap[0] > 0. ? 1 : 0;
+            const bool symmetric = rules.symmetric;
+            for_all([=](Segment &s) {
+              const bool was_solid =
+                extension ? s.inside && (!symmetric || s.before_filling)
+                          : s.n_boxes > 0;
+              ++s.n_boxes;
+              s.n_extensions -= extension;
+              return !was_solid || s.n_boxes <= 0;
+            });
+            break;
+          }
+        case box_ends:
+          for_all([&](Segment &s) {
+            --s.n_boxes;
+            return !is_left(s);
+          });
+          break;
+        case cover_begins:
+          for_all([](Segment &s) {
+            ++s.n_covers;
+            return true;
+          });
+          break;
+        case cover_ends:
+          for_all([](Segment &s) {
+            --s.n_covers;
+            return s.n_boxes <= 0;
+          });
+          break;
       }
-    // Where a box stays, nothing changes.
     if (matters)
       changed.push_back({begin, end});
-    if (last)
+    if (change == box_ends || change == cover_ends || change == extension_ends)
       for (const unsigned int r : {begin, end})
         if (--segments[r].n_edges == 0)
           released.push_back(r);
-  }
-
-
-
-  bool
-  BoxUnionContour::is_solid(const Segment &s, const bool with_covers) const
-  {
-    const bool before =
-      (rules.symmetric ? s.before_filling : s.inside) || at_left_face;
-    return s.n_boxes > 0 || (s.n_extensions > 0 && before) ||
-           (with_covers && s.n_covers > 0);
   }
 
 
@@ -141,13 +153,16 @@ namespace Waker
   BoxUnionContour::evaluate(const unsigned int x)
   {
     edges.clear();
-    std::sort(changed.begin(),
-              changed.end(),
-              [](const Range &a, const Range &b) { return a.begin < b.begin; });
+    if (changed.size() > 1)
+      std::sort(changed.begin(),
+                changed.end(),
+                [](const Range &a, const Range &b) {
+                  return a.begin < b.begin;
+                });
 
     // What is solid next to a change stays as it is. A run of other segments
     // may change up to its end, unless it is too high to be filled.
-    const unsigned int n     = segments.size();
+    const unsigned int n     = segments.size() - 1;
     const double       limit = rules.minimum_gap[1] + rules.tolerance;
     for (std::size_t c = 0; c < changed.size();)
       {
@@ -158,7 +173,7 @@ namespace Waker
             const unsigned int below = segments[range.begin].previous;
             if (is_solid(segments[below]))
               break;
-            height += y[range.begin] - y[below];
+            height += segments[range.begin].y - segments[below].y;
             range.begin = below;
           }
 
@@ -178,7 +193,7 @@ namespace Waker
                 is_solid(segments[range.end]))
               break;
             const unsigned int above = segments[range.end].next;
-            height += y[above] - y[range.end];
+            height += segments[above].y - segments[range.end].y;
             range.end = above;
           }
         evaluate(x, range);
@@ -200,7 +215,7 @@ namespace Waker
     const unsigned int no_run    = -1;
     unsigned int       run_begin = no_run;
     const auto         end_run   = [&](const unsigned int r) {
-      if (run_begin != no_run && y[r] - y[run_begin] <= limit)
+      if (run_begin != no_run && segments[r].y - segments[run_begin].y <= limit)
         for (unsigned int s = run_begin; s < r; s = segments[s].next)
           segments[s].now = true;
       run_begin = no_run;
@@ -209,7 +224,7 @@ namespace Waker
       {
         Segment &s       = segments[r];
         s.now            = is_solid(s);
-        s.before_filling = is_solid(s, false);
+        s.before_filling = rules.symmetric && is_solid_without_covers(s);
         if (s.now)
           end_run(r);
         else if (run_begin == no_run)
@@ -235,7 +250,7 @@ namespace Waker
         s.inside = s.now;
         tidy_breakpoint(r);
       }
-    if (range.end < segments.size())
+    if (range.end + 1 < segments.size())
       tidy_breakpoint(range.end);
   }
 } // namespace Waker

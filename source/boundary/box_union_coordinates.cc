@@ -14,28 +14,54 @@ namespace Waker
     if (n == 0)
       return;
 
-    // Into n buckets of equal width, and each bucket for itself.
-    const auto by_x = [](const Entry &a, const Entry &b) { return a.x < b.x; };
-    const auto range =
-      std::minmax_element(unsorted.begin(), unsorted.end(), by_x);
-    const double lowest = range.first->x;
-    const double extent = range.second->x - lowest;
-    const double scale  = extent > 0. ? (n - 1) / extent : 0.;
-    const auto   bucket = [=](const double x) {
-      return std::min<std::size_t>((x - lowest) * scale, n - 1);
-    };
-    bucket_ends.assign(n + 1, 0);
+    double lowest  = unsorted[0].x;
+    double highest = lowest;
     for (const Entry &entry : unsorted)
-      ++bucket_ends[bucket(entry.x) + 1];
-    for (std::size_t b = 0; b < n; ++b)
-      bucket_ends[b + 1] += bucket_ends[b];
+      {
+        lowest  = std::min(lowest, entry.x);
+        highest = std::max(highest, entry.x);
+      }
+
+    // Into two buckets for each entry, of equal width.
+    const std::size_t n_buckets = 2 * n;
+    const double      extent    = highest - lowest;
+    const double      scale     = extent > 0. ? (n_buckets - 1) / extent : 0.;
+    bucket_ends.assign(n_buckets + 1, 0);
+    for (Entry &entry : unsorted)
+      {
+        entry.rank =
+          std::min(static_cast<std::uint32_t>((entry.x - lowest) * scale),
+                   static_cast<std::uint32_t>(n_buckets - 1));
+        ++bucket_ends[entry.rank + 1];
+      }
+    constexpr std::uint32_t many    = 16;
+    bool                    crowded = false;
+    for (std::size_t b = 0; b < n_buckets; ++b)
+      {
+        crowded |= bucket_ends[b + 1] > many;
+        bucket_ends[b + 1] += bucket_ends[b];
+      }
     for (const Entry &entry : unsorted)
-      entries[bucket_ends[bucket(entry.x)]++] = entry;
-    for (std::size_t b = 0, begin = 0; b < n; begin = bucket_ends[b++])
-      if (bucket_ends[b] - begin > 1)
-        std::sort(entries.begin() + begin,
-                  entries.begin() + bucket_ends[b],
-                  by_x);
+      entries[bucket_ends[entry.rank]++] = entry;
+
+    // Within the buckets by insertion, unless there are many in one.
+    if (crowded)
+      for (std::size_t b = 0, begin = 0; b < n_buckets;
+           begin = bucket_ends[b++])
+        if (bucket_ends[b] - begin > many)
+          std::sort(entries.begin() + begin,
+                    entries.begin() + bucket_ends[b],
+                    [](const Entry &a, const Entry &b) { return a.x < b.x; });
+    for (std::size_t k = 1; k < n; ++k)
+      {
+        if (!(entries[k].x < entries[k - 1].x))
+          continue;
+        const Entry entry = entries[k];
+        std::size_t i     = k;
+        for (; i > 0 && entry.x < entries[i - 1].x; --i)
+          entries[i] = entries[i - 1];
+        entries[i] = entry;
+      }
 
     double last = entries[0].x;
     values.push_back(last);

@@ -171,6 +171,5 @@ namespace Waker
 
 
 
-  template class BlockCoverage<2>;
   template class BlockCoverage<3>;
 } // namespace Waker

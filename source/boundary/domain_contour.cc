@@ -4,6 +4,8 @@
 #include <waker/boundary/box_union_faces.h>
 #include <waker/boundary/domain_contour.h>
 
+#include <algorithm>
+#include <limits>
 #include <string>
 
 namespace Waker
@@ -11,21 +13,29 @@ namespace Waker
   namespace
   {
     /// The support domains, in the first directions of the points' space.
+    /// @return their smallest extents (m), as of smallest_extent()
     template <int dim, int spacedim>
-    void
+    Tensor<1, dim>
     support_domains(const MaterialPoints<spacedim> &points,
                     std::vector<Box<dim>>          &domains)
     {
       const std::size_t n = points.n_points();
       domains.resize(n);
+      Tensor<1, dim> smallest;
+      for (unsigned int d = 0; d < dim; ++d)
+        smallest[d] = n == 0 ? 1. : std::numeric_limits<double>::max();
       for (std::size_t p = 0; p < n; ++p)
         for (unsigned int d = 0; d < dim; ++d)
           {
             const double x      = points.position[p][d];
             const double l      = points.half_size[p][d];
-            domains[p].lower[d] = x - l;
-            domains[p].upper[d] = x + l;
+            const double lower  = x - l;
+            const double upper  = x + l;
+            domains[p].lower[d] = lower;
+            domains[p].upper[d] = upper;
+            smallest[d]         = std::min(smallest[d], upper - lower);
           }
+      return smallest;
     }
 
 
@@ -53,16 +63,16 @@ namespace Waker
     BoxUnionFaces         faces; // 3D
     Surface               surface;
 
-    // The rules for these domains, in their space.
+    // The rules for domains of these smallest extents, in their space.
     template <int plane_dim>
     BoxUnionRules<plane_dim>
-    rules_for(const std::vector<Box<plane_dim>> &boxes) const
+    rules_for(const Tensor<1, plane_dim> &smallest) const
     {
       BoxUnionRules<plane_dim> r;
       r.symmetric    = rules.symmetric;
       r.tolerance    = rules.tolerance;
       r.closed_faces = rules.closed_faces & ((1u << 2 * plane_dim) - 1);
-      r.minimum_gap  = smallest_extent(boxes);
+      r.minimum_gap  = smallest;
       for (unsigned int d = 0; d < plane_dim; ++d)
         {
           r.lower[d] = rules.lower[d];
@@ -104,9 +114,9 @@ namespace Waker
   DomainContour<dim>::detect(const MaterialPoints<dim> &points,
                              Surface                   &surface)
   {
-    support_domains(points, work->plane_domains);
+    const Tensor<1, 2> smallest = support_domains(points, work->plane_domains);
     work->contour.trace(work->plane_domains,
-                        work->rules_for(work->plane_domains),
+                        work->rules_for(smallest),
                         surface);
   }
 
@@ -126,8 +136,8 @@ namespace Waker
   void
   DomainContour<3>::detect(const MaterialPoints<3> &points, Facets<3> &facets)
   {
-    support_domains(points, work->domains);
-    work->faces.find(work->domains, work->rules_for(work->domains), facets);
+    const Tensor<1, 3> smallest = support_domains(points, work->domains);
+    work->faces.find(work->domains, work->rules_for(smallest), facets);
   }
 
 

@@ -40,7 +40,8 @@ namespace Waker
     Point<dim>   lower;
     Point<dim>   upper;
 
-    /// Skip the inside of the body. The result is the same (BlockCoverage).
+    /// Skip the inside of the body. The result is the same
+    /// (PlaneCoverage, BlockCoverage).
     bool restricted = true;
 
     bool

@@ -5,7 +5,7 @@
 #include <waker/boundary/box_union.h>
 #include <waker/boundary/box_union_chains.h>
 #include <waker/boundary/box_union_coordinates.h>
-#include <waker/boundary/box_union_coverage.h>
+#include <waker/boundary/box_union_plane_coverage.h>
 #include <waker/boundary/surface.h>
 
 #include <vector>
@@ -37,8 +37,9 @@ namespace Waker
    * H_min.
    *
    * From slab to slab only the segments are visited that an edge begins or ends
-   * at and the runs beside them. With n rectangles of which each meets the
-   * edges of m others: O(n (m + log n)).
+   * at and the runs beside them, and of those ends only the ones that can
+   * change a state (apply()). With n rectangles of which each meets the edges
+   * of m others: O(n (m + log n)).
    *
    * Keeps its work arrays from call to call.
    */
@@ -75,13 +76,14 @@ namespace Waker
     // The segment from a rank of y up to the next active one.
     struct Segment
     {
+      double       y;    // m, of its lower end
       unsigned int next; // active breakpoints
       unsigned int previous;
       int          n_boxes;        // J
       int          n_extensions;   // K
-      int          n_covers;       // covered blocks
       int          n_edges;        // at its lower end
-      bool         before_filling; // I without the covered blocks
+      signed char  n_covers;       // covered blocks
+      bool         before_filling; // symmetric: I without the covered blocks
       bool         inside;         // I*, of the slab before until evaluated
       bool         now;            // I*
     };
@@ -114,10 +116,21 @@ namespace Waker
     void
     tidy_breakpoint(const unsigned int y);
 
-    // I, with or without the covered blocks: is the segment inside before the
-    // vertical gaps are filled?
+    // I: is the segment inside before the vertical gaps are filled?
     bool
-    is_solid(const Segment &segment, const bool with_covers = true) const;
+    is_solid(const Segment &s) const
+    {
+      return s.n_covers > 0 || is_solid_without_covers(s);
+    }
+
+    bool
+    is_solid_without_covers(const Segment &s) const
+    {
+      return s.n_boxes > 0 ||
+             (s.n_extensions > 0 &&
+              ((rules.symmetric ? s.before_filling : s.inside) ||
+               at_left_face));
+    }
 
     // Find the state of all segments that a change at this x can reach.
     void
@@ -126,10 +139,11 @@ namespace Waker
     void
     evaluate(const unsigned int x, const Range &range);
 
-    BoxUnionRules<2>    rules;
-    BlockCoverage<2>    coverage;
-    std::vector<Box<2>> swept;   // cut at the closed faces
-    unsigned int        n_boxes; // in swept; then the covered blocks
+    BoxUnionRules<2>          rules;
+    PlaneCoverage             coverage;
+    std::vector<unsigned int> near_surface; // rectangles
+    std::vector<Box<2>>       swept;        // cut at the closed faces
+    unsigned int              n_boxes;      // in swept; then the covered blocks
 
     SnappedCoordinates        x_coordinates;
     SnappedCoordinates        y_coordinates;

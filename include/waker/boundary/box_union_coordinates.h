@@ -20,7 +20,7 @@ namespace Waker
     {
       double        x; // m
       std::uint32_t tag;
-      std::uint32_t rank;
+      std::uint32_t rank; // while they are sorted: bucket
     };
 
     void

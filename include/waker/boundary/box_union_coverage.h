@@ -16,21 +16,14 @@ namespace Waker
    * that the search for the contour can skip them.
    *
    * Space is divided into small cells, four to the smallest box in each
-   * direction. A block has 8 x 8 of them in 2D: with two boxes per cell of a
-   * grid, the blocks are the grid's cells. In 3D it has 4 x 4 x 4. The cells
+   * direction, and blocks of 4 x 4 x 4 of them. The cells
    * that single boxes cover are marked as bits, and gaps in rows of bits are
    * filled along x, then z, then y, if they have at most as many bits as fit
    * into the minimum gap. Both steps err on the open side only. A block of
    * which all bits are set is covered.
    *
-   * Let S be the filled body by the slab method, X its slabs before vertical
-   * gaps are filled and C the covered blocks. C lies in S: a horizontal gap of
-   * bits that is filled contains no gap of the boxes wider than W_min, which
-   * the left extensions fill; a vertical one no gap higher than H_min. The
-   * contour of the boxes that touch, by themselves or with their extensions, a
-   * block that is not covered, together with C, is that of all boxes: slab by
-   * slab, from the left, the restricted X agrees with X outside C and with C
-   * lies between X and S = fill(X), and what lies between them is filled to S.
+   * In 2D PlaneCoverage does the same, faster; it tells why the covered blocks
+   * may be skipped.
    */
   template <int dim>
   class BlockCoverage
@@ -140,7 +133,7 @@ namespace Waker
     void
     find_covered_blocks();
 
-    static constexpr int bits_per_block = dim == 2 ? 8 : 4;
+    static constexpr int bits_per_block = 4;
 
     BoxUnionRules<dim> rules;
     Point<dim>         origin;
