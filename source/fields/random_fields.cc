@@ -76,15 +76,13 @@ namespace Waker
                  read_measurements(p.measurements, lattices[f]))
               measured.push_back(
                 {m.cell, score(f, m.position, m.value, field.variance)});
-            field.conditioning =
-              std::make_unique<Conditioning>(lattices[f],
-                                             correlation,
-                                             measured,
-                                             field.variance,
-                                             p.measurement_error *
-                                               p.measurement_error *
-                                               field.variance,
-                                             path);
+            field.conditioning = std::make_unique<Conditioning>(
+              lattices[f],
+              correlation,
+              measured,
+              field.variance,
+              p.measurement_error * p.measurement_error * field.variance,
+              path);
             total_noise += field.conditioning->n_noise();
           }
         fields.push_back(std::move(field));

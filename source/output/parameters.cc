@@ -24,11 +24,12 @@ namespace Waker
                       particles,
                       "Write particles.pvd: the material points.",
                       Patterns::Bool());
-    prm.add_parameter("Surface",
-                      surface,
-                      "Write surface.pvd: the detected surface; with tractions, "
-                      "tractions.pvd: what they load.",
-                      Patterns::Bool());
+    prm.add_parameter(
+      "Surface",
+      surface,
+      "Write surface.pvd: the detected surface; with tractions, "
+      "tractions.pvd: what they load.",
+      Patterns::Bool());
     prm.add_parameter("Grid",
                       grid,
                       "Write grid.pvd: the background grid.",
