@@ -84,7 +84,8 @@ namespace Waker
                       "A node carries load only if its mass is at least this "
                       "share of a full node's; its load otherwise goes to "
                       "nodes nearby that do, with the same resultant and "
-                      "moment. 0: every node.",
+                      "moment. 0: none hands on its load; what falls on nodes "
+                      "without mass is lost.",
                       Patterns::Double(0., 0.5));
   }
 

@@ -60,7 +60,7 @@ namespace Waker
     bool holes = false;
 
     /// A node carries load only if its mass is at least this share of a full
-    /// node's; 0: all do.
+    /// node's; 0: all do, and what falls on nodes without mass is lost.
     double minimum_support = 0.;
 
     void
