@@ -73,58 +73,90 @@ namespace Waker
     const double  a          = radius;
     const double  inverse_a2 = 1. / (a * a);
 
-    // (x, y) in cells from the origin.
+    // The kernel of the point (x, y), in cells from the origin.
     const auto add = [=](const double x, const double y, const double c) {
       // First node right of x - a, also for x - a a little below zero.
       const int i0 = static_cast<int>(x - a + 8.) - 7;
       const int j0 = static_cast<int>(y - a + 8.) - 7;
-
-      double u2[width];
-      for (int i = 0; i < width; ++i)
-        u2[i] = (i0 + i - x) * (i0 + i - x) * inverse_a2;
-
-      if (i0 >= 0 && j0 >= 0 && i0 + width <= nx && j0 + width <= ny)
-        for (int j = 0; j < width; ++j)
+      for (int j = std::max(j0, 0); j < std::min(j0 + width, ny); ++j)
+        for (int i = std::max(i0, 0); i < std::min(i0 + width, nx); ++i)
           {
-            const double  t   = 1. - (j0 + j - y) * (j0 + j - y) * inverse_a2;
-            double *const row = values + (j0 + j) * nx + i0;
-            for (int i = 0; i < width; ++i)
-              row[i] += c * std::max(t - u2[i], 0.);
+            const double t = 1. - (j - y) * (j - y) * inverse_a2;
+            const double u = (i - x) * (i - x) * inverse_a2;
+            values[j * nx + i] += c * std::max(t - u, 0.);
           }
-      else // at the edge of the lattice
-        for (int j = std::max(j0, 0); j < std::min(j0 + width, ny); ++j)
-          for (int i = std::max(i0, 0); i < std::min(i0 + width, nx); ++i)
-            {
-              const double t = 1. - (j - y) * (j - y) * inverse_a2;
-              values[j * nx + i] += c * std::max(t - u2[i - i0], 0.);
-            }
     };
 
-    const std::size_t n_points = points.n_points();
-    for (std::size_t p = 0; p < n_points; ++p)
-      {
-        const double x = (points.position[p][0] - origin[0]) * inverse_h;
-        const double y = (points.position[p][1] - origin[1]) * inverse_h;
-        const double c = points.volume[p] * factor;
-        add(x, y, c);
-
-        if (x - a < mirrors[0] || x + a > mirrors[1] || y - a < mirrors[2] ||
-            y + a > mirrors[3])
+    // All images of a point near closed faces: in x, in y and, at a corner, in
+    // both.
+    const auto add_images =
+      [&](const double x, const double y, const double c) {
+        double xs[3] = {x};
+        double ys[3] = {y};
+        int    n_xs  = 1;
+        int    n_ys  = 1;
+        for (int side = 0; side < 2; ++side)
           {
-            // All images: in x, in y and, at a corner, in both.
-            double xs[3] = {x};
-            double ys[3] = {y};
-            int    n_xs  = 1;
-            int    n_ys  = 1;
-            for (int side = 0; side < 2; ++side)
-              {
-                if (std::abs(x - mirrors[side]) < a)
-                  xs[n_xs++] = 2 * mirrors[side] - x;
-                if (std::abs(y - mirrors[2 + side]) < a)
-                  ys[n_ys++] = 2 * mirrors[2 + side] - y;
-              }
-            for (int k = 1; k < n_xs * n_ys; ++k)
-              add(xs[k % n_xs], ys[k / n_xs], c);
+            if (std::abs(x - mirrors[side]) < a)
+              xs[n_xs++] = 2 * mirrors[side] - x;
+            if (std::abs(y - mirrors[2 + side]) < a)
+              ys[n_ys++] = 2 * mirrors[2 + side] - y;
+          }
+        for (int k = 1; k < n_xs * n_ys; ++k)
+          add(xs[k % n_xs], ys[k / n_xs], c);
+      };
+
+    // Blocks of points, so that the compiler can use vector instructions; the
+    // last one repeats its last point, without effect.
+    constexpr int     N        = 16;
+    const std::size_t n_points = points.n_points();
+    for (std::size_t begin = 0; begin < n_points; begin += N)
+      {
+        double x[N], y[N], c[N];
+        for (int l = 0; l < N; ++l)
+          {
+            const std::size_t p = std::min(begin + l, n_points - 1);
+            x[l] = (points.position[p][0] - origin[0]) * inverse_h;
+            y[l] = (points.position[p][1] - origin[1]) * inverse_h;
+            c[l] = points.volume[p] * factor;
+          }
+
+        int    i0[N], j0[N];
+        double u2[width][N], t[width][N], share[width][width][N];
+        for (int l = 0; l < N; ++l)
+          {
+            i0[l] = static_cast<int>(x[l] - a + 8.) - 7;
+            j0[l] = static_cast<int>(y[l] - a + 8.) - 7;
+          }
+        for (int i = 0; i < width; ++i)
+          for (int l = 0; l < N; ++l)
+            {
+              u2[i][l] = (i0[l] + i - x[l]) * (i0[l] + i - x[l]) * inverse_a2;
+              t[i][l] =
+                1. - (j0[l] + i - y[l]) * (j0[l] + i - y[l]) * inverse_a2;
+            }
+        for (int j = 0; j < width; ++j)
+          for (int i = 0; i < width; ++i)
+            for (int l = 0; l < N; ++l)
+              share[j][i][l] = c[l] * std::max(t[j][l] - u2[i][l], 0.);
+
+        const int n = std::min<std::size_t>(N, n_points - begin);
+        for (int l = 0; l < n; ++l)
+          {
+            if (i0[l] >= 0 && j0[l] >= 0 && i0[l] + width <= nx &&
+                j0[l] + width <= ny)
+              for (int j = 0; j < width; ++j)
+                {
+                  double *const row = values + (j0[l] + j) * nx + i0[l];
+                  for (int i = 0; i < width; ++i)
+                    row[i] += share[j][i][l];
+                }
+            else // at the edge of the lattice
+              add(x[l], y[l], c[l]);
+
+            if (x[l] - a < mirrors[0] || x[l] + a > mirrors[1] ||
+                y[l] - a < mirrors[2] || y[l] + a > mirrors[3])
+              add_images(x[l], y[l], c[l]);
           }
       }
   }
