@@ -145,14 +145,16 @@ namespace Waker
 
       // Work of the external and inertial forces over the step, and kinetic
       // energy of the nodes at its start and end.
-      const double *const u             = nodes.increment.begin();
-      const double *const external      = nodes.external_force.begin();
-      const double *const internal      = nodes.internal_force.begin();
-      const double *const a             = nodes.acceleration.begin();
-      const double *const v             = nodes.velocity.begin();
-      const double *const new_v         = nodes.new_velocity.begin();
-      double              external_work = 0., inertia_work = 0.;
-      double              kinetic_before = 0., kinetic_after = 0.;
+      const double *const u        = nodes.increment.begin();
+      const double *const external = nodes.external_force.begin();
+      const double *const before =
+        nodes.start_force.size() > 0 ? nodes.start_force.begin() : external;
+      const double *const internal = nodes.internal_force.begin();
+      const double *const a        = nodes.acceleration.begin();
+      const double *const v        = nodes.velocity.begin();
+      const double *const new_v    = nodes.new_velocity.begin();
+      double start_work = 0., external_work = 0., inertia_work = 0.;
+      double kinetic_before = 0., kinetic_after = 0.;
       for (const auto &run : reached)
         for (std::size_t i = run.begin; i < run.end; ++i)
           {
@@ -161,13 +163,15 @@ namespace Waker
             for (unsigned int c = 0; c < dim; ++c)
               {
                 const std::size_t dof = dim * i + c;
+                start_work += before[dof] * u[dof];
                 external_work += external[dof] * u[dof];
                 inertia_work += mass * a[dof] * u[dof];
                 kinetic_before += 0.5 * mass * v[dof] * v[dof];
                 kinetic_after += 0.5 * mass * new_v[dof] * new_v[dof];
               }
           }
-      report.water_work = external_work - report.gravity_work;
+      report.water_work =
+        0.5 * (start_work + external_work) - report.gravity_work;
 
       typename Walls<dim>::Work wall;
       if (in.walls != nullptr)
@@ -176,16 +180,15 @@ namespace Waker
       const double r_start = residual_ramp(t, in.time.ramp_duration);
       const double r_end   = residual_ramp(t + dt, in.time.ramp_duration);
       report.ramp_work =
-        0.5 *
-        ((1. - r_start) * (external_work + wall.start - stress.work_start) +
-         (1. - r_end) * (external_work + wall.end - stress.work_end));
+        0.5 * ((1. - r_start) * (start_work + wall.start - stress.work_start) +
+               (1. - r_end) * (external_work + wall.end - stress.work_end));
       // What the way from points to nodes and back takes: kinetic energy, and
       // the work that the force at the start would have done over the work of
       // the acceleration that the nodes were given instead.
       report.mapping_loss =
         (moved.kinetic_before - kinetic_before) +
         (kinetic_after - report.kinetic_energy) +
-        0.5 * (r_start * (external_work + wall.start - stress.work_start) -
+        0.5 * (r_start * (start_work + wall.start - stress.work_start) -
                inertia_work);
 
       const double *const new_a = nodes.new_acceleration.begin();

@@ -14,30 +14,6 @@ namespace Waker
   {
     /// After this many steps at a halved time step it is doubled again.
     constexpr unsigned int steps_before_doubling = 4;
-
-
-    /**
-     * Newmark's account takes the load at the end of the step for that at its
-     * start, and what that makes wrong for a loss. If loads change in time, put
-     * it right: the work is that of the mean load.
-     * @param ramp at the start of the step
-     */
-    template <int dim>
-    void
-    use_mean_load(const NodalState &nodes,
-                  const double      ramp,
-                  StepReport<dim>  &report)
-    {
-      double difference = 0.;
-      for (unsigned int i = 0; i < nodes.start_force.locally_owned_size(); ++i)
-        difference += 0.5 *
-                      (nodes.external_force.local_element(i) -
-                       nodes.start_force.local_element(i)) *
-                      nodes.increment.local_element(i);
-      report.water_work -= difference;
-      report.mapping_loss -= ramp * difference;
-      report.ramp_work -= (1. - ramp) * difference;
-    }
   } // namespace
 
 
@@ -155,10 +131,6 @@ namespace Waker
 
     scheme->update_points(
       scene.weights, state->time, dt, scene.nodes, state->points, report);
-    if (loads_move && time.scheme == "Newmark")
-      use_mean_load(scene.nodes,
-                    residual_ramp(state->time, time.ramp_duration),
-                    report);
     if (!scene.walls.empty())
       {
         const auto work = scene.walls.work(scene.nodes.increment);
