@@ -73,7 +73,7 @@ namespace Waker
 
   template <int dim>
   void
-  GhostStiffness<dim>::add_force(const NodalVector &u, NodalVector &force) const
+  GhostStiffness<dim>::vmult_add(NodalVector &force, const NodalVector &u) const
   {
     const double *const x = u.begin();
     double *const       f = force.begin();

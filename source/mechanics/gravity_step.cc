@@ -10,7 +10,7 @@
 #include <waker/mechanics/static_factorisation.h>
 #include <waker/mechanics/system_operator.h>
 #include <waker/mechanics/time_scheme.h>
-#include <waker/mechanics/walled_operator.h>
+#include <waker/nodes/operator_sum.h>
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
@@ -78,7 +78,7 @@ namespace Waker
                       NodalVector                     &x,
                       const NodalVector               &b)
     {
-      std::optional<WalledOperator<dim>> walled;
+      std::optional<OperatorSum<Walls<dim>>> walled;
       if (walls != nullptr)
         walled.emplace(tangent, *walls);
       const SystemOperator system(walled

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/mechanics/newton.h>
-#include <waker/mechanics/walled_operator.h>
+#include <waker/nodes/operator_sum.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,42 +24,6 @@ namespace Waker
     /// More of the residual than this in motions without stiffness is no
     /// matter of hardly touched nodes.
     constexpr double unsolvable_limit = 1e-4;
-
-
-    /// A stiffness and that of hardly touched nodes.
-    template <int dim>
-    class GhostedOperator : public Operator
-    {
-    public:
-      GhostedOperator(const Operator &K, const GhostStiffness<dim> &ghost)
-        : K(K)
-        , ghost(ghost)
-      {}
-
-      void
-      vmult(NodalVector &dst, const NodalVector &src) const override
-      {
-        K.vmult(dst, src);
-        ghost.add_force(src, dst);
-      }
-
-      void
-      add_diagonal(NodalVector &diagonal) const override
-      {
-        K.add_diagonal(diagonal);
-        ghost.add_diagonal(diagonal);
-      }
-
-      bool
-      is_symmetric() const override
-      {
-        return K.is_symmetric();
-      }
-
-    private:
-      const Operator            &K;
-      const GhostStiffness<dim> &ghost;
-    };
 
 
     /// A stiffness that conjugate gradients may try, though it is only nearly
@@ -228,12 +192,12 @@ namespace Waker
                                   const bool        first,
                                   const double      norm)
   {
-    std::optional<WalledOperator<dim>> walled;
+    std::optional<OperatorSum<Walls<dim>>> walled;
     if (walls != nullptr)
       walled.emplace(stiffness, *walls);
     const Operator &soil =
       walled ? static_cast<const Operator &>(*walled) : stiffness;
-    std::optional<GhostedOperator<dim>> ghosted;
+    std::optional<OperatorSum<GhostStiffness<dim>>> ghosted;
     if (ghost != nullptr)
       ghosted.emplace(soil, *ghost);
     const SystemOperator system(ghosted
@@ -298,7 +262,7 @@ namespace Waker
             nodes.internal_force += wall_force;
           }
         if (ghost != nullptr)
-          ghost->add_force(nodes.increment, nodes.internal_force);
+          ghost->vmult_add(nodes.internal_force, nodes.increment);
         const double norm = residual(inertia, spring_targets, nodes);
         report.residuals.push_back(norm);
         if (norm <= parameters.tolerance)

@@ -221,7 +221,7 @@ namespace Waker
         {
           // It keeps no energy: what it takes in a step is lost.
           start_force = 0.;
-          ghost.add_force(nodes.increment, start_force);
+          ghost.vmult_add(start_force, nodes.increment);
           report.mapping_loss += 0.5 * (start_force * nodes.increment);
         }
     }

@@ -66,7 +66,7 @@ namespace
     const auto  linear = Lattice::linear_field(block.grid,
                                               random.matrix<dim>(-1., 1.),
                                               random.vector<dim>(-1., 1.));
-    ghost.add_force(linear, force);
+    ghost.vmult_add(force, linear);
     EXPECT_LT(force.linfty_norm(), 1e-12);
     NodalVector u(n), v(n), other(n);
     for (double &value : u)
@@ -74,8 +74,8 @@ namespace
     for (double &value : v)
       value = random(-1., 1.);
     force = 0.;
-    ghost.add_force(u, force);
-    ghost.add_force(v, other);
+    ghost.vmult_add(force, u);
+    ghost.vmult_add(other, v);
     EXPECT_GT(u * force, 1.);
     EXPECT_NEAR(u * other, v * force, 1e-10);
     EXPECT_NEAR(linear * force, 0., 1e-10);
@@ -87,7 +87,7 @@ namespace
         unit            = 0.;
         unit.begin()[i] = 1.;
         force           = 0.;
-        ghost.add_force(unit, force);
+        ghost.vmult_add(force, unit);
         ASSERT_NEAR(diagonal.begin()[i], force.begin()[i], 1e-12);
       }
 
@@ -95,7 +95,7 @@ namespace
     Block<dim> full(0.);
     ghost.reinit(full.nodes.mass, full.full_mass());
     force = 0.;
-    ghost.add_force(u, force);
+    ghost.vmult_add(force, u);
     EXPECT_EQ(force.linfty_norm(), 0.);
   }
 

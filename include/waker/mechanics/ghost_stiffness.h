@@ -35,10 +35,10 @@ namespace Waker
     void
     reinit(const std::vector<double> &mass, const double full_node_mass);
 
-    /// force += k (...) of the displacement increments u: also the product of
-    /// the operator.
+    /// force += the force of the springs at displacement increments u, which
+    /// is linear in them.
     void
-    add_force(const NodalVector &u, NodalVector &force) const;
+    vmult_add(NodalVector &force, const NodalVector &u) const;
 
     /// diagonal += its own.
     void

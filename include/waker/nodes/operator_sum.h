@@ -1,35 +1,38 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef waker_mechanics_walled_operator_h
-#define waker_mechanics_walled_operator_h
+#ifndef waker_nodes_operator_sum_h
+#define waker_nodes_operator_sum_h
 
-#include <waker/boundary/wall.h>
 #include <waker/nodes/operator.h>
 
 namespace Waker
 {
-  /// A stiffness and that of walls off the grid.
-  template <int dim>
-  class WalledOperator : public Operator
+  /**
+   * A stiffness and a small, symmetric part of it that others bring: walls off
+   * the grid, ghost stiffness. The part has vmult_add(dst, src) and
+   * add_diagonal(diagonal).
+   */
+  template <typename Part>
+  class OperatorSum : public Operator
   {
   public:
     /// Both must outlive this object.
-    WalledOperator(const Operator &stiffness, const Walls<dim> &walls)
+    OperatorSum(const Operator &stiffness, const Part &part)
       : stiffness(stiffness)
-      , walls(walls)
+      , part(part)
     {}
 
     void
     vmult(NodalVector &dst, const NodalVector &src) const override
     {
       stiffness.vmult(dst, src);
-      walls.vmult_add(dst, src);
+      part.vmult_add(dst, src);
     }
 
     void
     add_diagonal(NodalVector &diagonal) const override
     {
       stiffness.add_diagonal(diagonal);
-      walls.add_diagonal(diagonal);
+      part.add_diagonal(diagonal);
     }
 
     bool
@@ -39,8 +42,8 @@ namespace Waker
     }
 
   private:
-    const Operator   &stiffness;
-    const Walls<dim> &walls;
+    const Operator &stiffness;
+    const Part     &part;
   };
 } // namespace Waker
 
