@@ -10,7 +10,7 @@
 set -euo pipefail
 
 packages=(libdeal.ii-dev g++ cmake ninja-build pkg-config lld
-  libcli11-dev libeigen3-dev libfftw3-dev librandom123-dev nlohmann-json3-dev
+  libcli11-dev libeigen3-dev libfftw3-dev librandom123-dev nlohmann-json3-dev zlib1g-dev
   libgtest-dev libbenchmark-dev
   python3-numpy python3-h5py python3-matplotlib python3-meshio)
 for argument in "$@"; do

@@ -89,8 +89,10 @@ namespace Waker
 
 
   void
-  Log::progress(const double fraction, const std::string &text)
+  Log::progress(const double share, const std::string &text)
   {
+    // Of nothing, nothing is left: 0 / 0 is no number.
+    const double fraction = std::isnan(share) ? 1. : share;
     if (!progress_due())
       return;
     const Clock::time_point now = Clock::now();

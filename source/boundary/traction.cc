@@ -148,6 +148,18 @@ namespace Waker
 
 
   template <int dim>
+  Tensor<1, dim>
+  Traction<dim>::force(const double          start_measure,
+                       const Tensor<1, dim> &area,
+                       const Point<dim>     &X) const
+  {
+    Assert(kind != Kind::hydrostatic, ExcInternalError());
+    return kind == Kind::vector ? start_measure * value(area, X)
+                                : value(area, X);
+  }
+
+
+  template <int dim>
   bool
   Traction<dim>::moves() const
   {

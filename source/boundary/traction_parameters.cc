@@ -10,6 +10,28 @@
 
 namespace Waker
 {
+  namespace
+  {
+    /// Is there something in this method's surface that moves with the soil?
+    bool
+    can_ride(const std::string &method)
+    {
+      return method == "contour" || method == "proximity field" ||
+             method == "user surface";
+    }
+  } // namespace
+
+
+  bool
+  TractionParameters::rides() const
+  {
+    if (!can_ride(method))
+      return false; // fixed points do by themselves
+    return follows == "soil" ||
+           (follows == "automatic" && !from.empty() && kind != "hydrostatic");
+  }
+
+
   void
   TractionParameters::add_parameters(ParameterHandler &prm)
   {
@@ -73,6 +95,17 @@ namespace Waker
                       opening,
                       "Largest angle (degrees) between the normal and Facing.",
                       Patterns::Double(0., 180.));
+    prm.add_parameter(
+      "Follows",
+      follows,
+      "What carries the load once the soil moves. soil: the part that From, To "
+      "and Facing select at the start, wherever it goes; a vector keeps its "
+      "resultant, a pressure turns and stretches with the soil. space: what "
+      "they select now; soil that leaves the box loses its load. automatic: "
+      "soil for a vector or pressure in a box on the contour, the proximity "
+      "field or a user surface, otherwise space. Fixed points carry their "
+      "loads themselves.",
+      Patterns::Selection("automatic|soil|space"));
     prm.add_parameter("Holes",
                       holes,
                       "proximity field and contour: load the holes inside a "
@@ -154,6 +187,21 @@ namespace Waker
                           "has no direction",
                           "a vector that is not zero, or nothing");
       }
+    if (follows == "soil" && kind == "hydrostatic")
+      throw UserError(path + "Follows",
+                      "is soil, but Kind is hydrostatic: a liquid stays where "
+                      "it stands",
+                      "space or automatic; or Kind = pressure");
+    if (follows == "soil" && !can_ride(method) && method != "fixed points")
+      throw UserError(path + "Follows",
+                      "is soil, but the method \"" + method +
+                        "\" finds its surface anew in every step",
+                      "space or automatic; or Method = contour, proximity "
+                      "field, user surface or fixed points");
+    if (follows == "space" && method == "fixed points")
+      throw UserError(path + "Follows",
+                      "is space, but fixed points carry their loads with them",
+                      "soil or automatic; or Method = updated points");
     // Can its values be read?
     if (dim == 2)
       Traction<2>(*this, 0.);

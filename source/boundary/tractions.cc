@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/utilities.h>
+
 #include <waker/base/errors.h>
 #include <waker/boundary/tractions.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace Waker
 {
@@ -21,13 +24,6 @@ namespace Waker
     {
       return parameters.method == "user surface" ||
              (on_points(parameters) && !parameters.surface_file.empty());
-    }
-
-
-    std::string
-    array_name(const TractionParameters &parameters, const unsigned int d)
-    {
-      return "load_" + parameters.name + "_" + "xyz"[d];
     }
   } // namespace
 
@@ -51,22 +47,26 @@ namespace Waker
   template <int dim>
   Tractions<dim>::Tractions(const BackgroundGrid<dim>             &grid,
                             const std::vector<TractionParameters> &parameters,
-                            const std::vector<UserSurface<dim>>   &surfaces)
+                            const std::vector<UserSurface<dim>>   &surfaces,
+                            const std::vector<RidingLoad<dim>>    &riding)
     : grid(&grid)
     , load(grid)
     , shares(grid)
   {
     AssertDimension(surfaces.size(), parameters.size());
+    AssertDimension(riding.size(), parameters.size());
     const double tolerance = 1e-9 * grid.cell_size();
     for (std::size_t i = 0; i < parameters.size(); ++i)
       {
         items.push_back({parameters[i],
                          Traction<dim>(parameters[i], tolerance),
                          has_surface(parameters[i]) ? &surfaces[i] : nullptr,
+                         &riding[i],
                          {},
                          {},
                          {},
-                         NodalVector(grid.n_dofs())});
+                         NodalVector(grid.n_dofs()),
+                         {}});
       }
   }
 
@@ -93,20 +93,25 @@ namespace Waker
         Item              &item   = items[i];
         const std::string &method = item.parameters.method;
         // Loads that were fixed need no surface any more.
-        if (method == "fixed points" &&
-            points.find_scalar(array_name(item.parameters, 0)) >= 0)
+        if (has_fixed_loads(item, points))
           {
             item.part.clear();
             continue;
           }
         const std::string path = "Tractions/" + item.parameters.name;
-        if (item.surface != nullptr)
+        if (item.surface != nullptr ||
+            (item.rides() && !item.riding->on_points))
           {
             for (const Point<dim> &x : vertices[i])
               if (!grid->contains(x))
                 throw NumericalFailure(path +
                                        ": a vertex of the carried surface has "
                                        "left the grid");
+          }
+        if (item.rides())
+          item.riding->place(points, vertices[i], item.part, item.placed);
+        else if (item.surface != nullptr)
+          {
             item.surface->to_facets(vertices[i], user_facets);
             item.traction.select(user_facets, item.part);
           }
@@ -127,40 +132,28 @@ namespace Waker
 
   template <int dim>
   void
-  Tractions<dim>::collect_point_loads(Item &item, const std::size_t n_points)
+  Tractions<dim>::ride(const MaterialPoints<dim>    &points,
+                       std::vector<RidingLoad<dim>> &riding)
   {
-    item.point_loads.assign(n_points, Tensor<1, dim>());
-    for (const Facet<dim> &facet : item.loaded)
-      shares.split(facet, [&](const Facet<dim> &piece, const std::uint32_t p) {
-        // The mid-point rule is exact for what is linear.
-        Point<dim> middle;
-        for (const Point<dim> &x : piece.vertices)
-          middle += x / static_cast<double>(dim);
-        item.point_loads[p] +=
-          piece.measure() * item.traction.value(piece.normal, middle);
-      });
-  }
-
-
-  template <int dim>
-  void
-  Tractions<dim>::fix_point_loads(MaterialPoints<dim> &points)
-  {
-    for (Item &item : items)
-      if (item.parameters.method == "fixed points")
-        {
-          item.traction.set_time(0.);
-          item.loaded = item.part;
-          item.traction.keep_loaded(item.loaded);
-          collect_point_loads(item, points.n_points());
-          for (unsigned int d = 0; d < dim; ++d)
-            {
-              std::vector<double> &values =
-                points.scalar(array_name(item.parameters, d));
-              for (std::size_t p = 0; p < points.n_points(); ++p)
-                values[p] = item.point_loads[p][d];
-            }
-        }
+    shares.sort(points);
+    for (std::size_t i = 0; i < items.size(); ++i)
+      {
+        const Item &item = items[i];
+        Assert(item.riding == &riding[i], ExcInternalError());
+        if (item.parameters.method == "fixed points")
+          for (const Facet<dim> &facet : item.loaded)
+            riding[i].measure += facet.measure();
+        if (!item.parameters.rides())
+          continue;
+        if (item.surface != nullptr)
+          riding[i].ride_on_vertices(item.part);
+        else
+          {
+            riding[i].ride_on_points(item.part, points, shares);
+            // A pressure must know how the surface turns.
+            riding[i].has_vertices = item.parameters.kind == "pressure";
+          }
+      }
   }
 
 
@@ -179,36 +172,21 @@ namespace Waker
         item.traction.keep_loaded(item.loaded);
         load.clear();
         if (on_points(item.parameters))
-          {
-            const bool fixed = item.parameters.method == "fixed points";
-            if (fixed &&
-                points.find_scalar(array_name(item.parameters, 0)) >= 0)
-              {
-                item.point_loads.resize(points.n_points());
-                for (unsigned int d = 0; d < dim; ++d)
-                  {
-                    const int a =
-                      points.find_scalar(array_name(item.parameters, d));
-                    const auto &values = points.scalars[a].values;
-                    for (std::size_t p = 0; p < points.n_points(); ++p)
-                      item.point_loads[p][d] = values[p];
-                  }
-              }
-            else
-              collect_point_loads(item, points.n_points());
-            // Eq. 3.2, with linear functions also under GIMP.
-            for (std::size_t p = 0; p < points.n_points(); ++p)
-              if (item.point_loads[p] != Tensor<1, dim>())
-                load.add(points.position[p], item.point_loads[p]);
-          }
+          add_point_loads(item, points);
         else
+          add_facets(item);
+        item.total = item.lost = 0.;
+        for (const unsigned int node : load.nodes())
           {
-            const auto traction = [&](const Facet<dim> &facet,
-                                      const Point<dim> &x) {
-              return item.traction.value(facet.normal, x);
-            };
-            for (const Facet<dim> &facet : item.loaded)
-              load.add(facet, traction);
+            double square = 0.;
+            for (unsigned int d = 0; d < dim; ++d)
+              square +=
+                Utilities::fixed_power<2>(load.nodal_forces()[dim * node + d]);
+            const double size = std::sqrt(square);
+            item.total += size;
+            if (!(node_mass[node] > 0.) &&
+                item.parameters.minimum_support == 0.)
+              item.lost += size;
           }
         item.force = 0.;
         load.distribute(node_mass,
@@ -220,42 +198,27 @@ namespace Waker
 
 
   template <int dim>
-  typename Tractions<dim>::View
-  Tractions<dim>::view(const std::size_t i) const
-  {
-    const Item &item = items[i];
-    return {item.parameters.name,
-            &item.loaded,
-            &item.traction,
-            &item.force,
-            &item.point_loads};
-  }
-
-
-  template <int dim>
   void
-  Tractions<dim>::check_something_is_loaded() const
+  Tractions<dim>::add_facets(const Item &item)
   {
-    for (const Item &item : items)
+    for (std::size_t k = 0; k < item.loaded.size(); ++k)
       {
-        const std::string path = "Tractions/" + item.parameters.name;
-        if (item.part.empty())
-          throw UserError(path + "/Method",
-                          "no part of the surface is selected: there is "
-                          "nothing to load",
-                          "From, To and Facing that leave a part of the "
-                          "surface, and not only closed faces of the grid");
-        if (!item.traction.is_hydrostatic() || item.traction.moves())
-          continue;
-        Traction<dim> traction(item.parameters, 0.);
-        Facets<dim>   wet = item.part;
-        traction.keep_loaded(wet);
-        if (wet.empty())
-          throw UserError(path + "/Level",
-                          "is " + item.parameters.level +
-                            " m: no part of the surface lies below",
-                          "a level above the lowest place of the surface that "
-                          "From, To and Facing leave");
+        const Facet<dim> &facet = item.loaded[k];
+        // Vertices that have met: what rides on them does not vanish.
+        if (item.rides() &&
+            !(facet.measure() > 1e-9 * item.placed[k].piece->start.measure()))
+          {
+            const auto  &placed = item.placed[k];
+            const double start  = placed.piece->start.measure();
+            load.add(facet.vertices[0],
+                     item.traction.force(start,
+                                         placed.area,
+                                         placed.piece->start.vertices[0]));
+            continue;
+          }
+        load.add(facet, [&](const Facet<dim> &, const Point<dim> &x) {
+          return item.value(k, x);
+        });
       }
   }
 

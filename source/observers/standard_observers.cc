@@ -119,6 +119,27 @@ namespace Waker
     };
 
 
+    /// What the tractions put on the soil; no columns without tractions.
+    template <int dim>
+    class TractionObserver : public Observer<dim>
+    {
+    public:
+      void
+      observe(const StepView<dim> &view, Row &row) override
+      {
+        for (std::size_t i = 0; i < view.tractions.size(); ++i)
+          {
+            const auto resultant = view.tractions.resultant(i, view.nodes.mass);
+            const std::string name = "Traction " + view.tractions.view(i).name;
+            for (unsigned int d = 0; d < dim; ++d)
+              row.add(name + " " + axis[d] + " (kN)", resultant.force[d]);
+            row.add(name + (dim == 2 ? " length (m)" : " area (m^2)"),
+                    resultant.measure);
+          }
+      }
+    };
+
+
     /// Mass and momentum of a body with open faces; no columns without.
     template <int dim>
     class FlowObserver : public Observer<dim>
@@ -182,6 +203,7 @@ namespace Waker
     observers.push_back(std::make_unique<EnergyObserver<dim>>());
     observers.push_back(std::make_unique<ForceObserver<dim>>());
     observers.push_back(std::make_unique<WallObserver<dim>>());
+    observers.push_back(std::make_unique<TractionObserver<dim>>());
     observers.push_back(std::make_unique<FlowObserver<dim>>());
     return observers;
   }

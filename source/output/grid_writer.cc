@@ -10,7 +10,7 @@ namespace Waker
   namespace
   {
     /// Steps in node numbers from a cell's lower left node to its vertices, in
-    /// deal.II's order.
+    /// VTK's order: around the lower face, then around the upper one.
     template <int dim>
     std::array<unsigned int, (1 << dim)>
     vertex_offsets(const BackgroundGrid<dim> &grid)
@@ -18,7 +18,7 @@ namespace Waker
       std::array<unsigned int, (1 << dim)> offsets{};
       for (unsigned int v = 0; v < offsets.size(); ++v)
         for (unsigned int d = 0; d < dim; ++d)
-          if ((v >> d) & 1u)
+          if (((v ^ (d == 0 ? (v >> 1) & 1u : 0u)) >> d) & 1u)
             offsets[v] += grid.stride(d);
       return offsets;
     }
@@ -35,21 +35,21 @@ namespace Waker
   {
     AssertDimension(node_mass.size(), grid.n_nodes());
 
-    VtuFields fields;
-    fields.add_scalar("mass", "Mg");
+    VtuFile file(dim == 2 ? VtuFile::Cell::quadrilateral
+                          : VtuFile::Cell::hexahedron);
+    file.add_scalar("mass", "Mg");
     for (const GridFields::Scalar &scalar : data.scalars)
       {
         AssertDimension(scalar.values->size(), grid.n_nodes());
-        fields.add_scalar(scalar.name, scalar.unit);
+        file.add_scalar(scalar.name, scalar.unit);
       }
     for (const GridFields::Vector &vector : data.vectors)
       {
         AssertDimension(vector.values->size(), grid.n_dofs());
-        fields.add_vector(vector.name, vector.unit, dim);
+        file.add_vector(vector.name, vector.unit);
       }
 
-    const auto                                offsets = vertex_offsets(grid);
-    std::vector<DataOutBase::Patch<dim, dim>> patches;
+    const auto offsets = vertex_offsets(grid);
     for (unsigned int node = 0; node < grid.n_nodes(); ++node)
       {
         // The cell above and to the right of this node, if there is one.
@@ -67,30 +67,23 @@ namespace Waker
         if (!has_mass)
           continue;
 
-        DataOutBase::Patch<dim, dim> patch;
-        patch.reference_cell = ReferenceCells::get_hypercube<dim>();
-        patch.patch_index    = patches.size();
-        patch.data.reinit(fields.n_components(), offsets.size());
-        for (unsigned int v = 0; v < offsets.size(); ++v)
+        for (const unsigned int offset : offsets)
           {
-            const unsigned int i = node + offsets[v];
-            patch.vertices[v]    = grid.node_position(i);
-
-            unsigned int c   = 0;
-            const auto   add = [&](const double value) {
-              patch.data(c++, v) = static_cast<float>(value);
-            };
-            add(node_mass[i]);
+            const unsigned int i = node + offset;
+            file.add_point(grid.node_position(i));
+            file.add_value(node_mass[i]);
             for (const GridFields::Scalar &scalar : data.scalars)
-              add((*scalar.values)[i]);
+              file.add_value((*scalar.values)[i]);
             for (const GridFields::Vector &vector : data.vectors)
-              for (unsigned int d = 0; d < dim; ++d)
-                add(vector.values->local_element(dim * i + d));
+              {
+                Tensor<1, dim> value;
+                for (unsigned int d = 0; d < dim; ++d)
+                  value[d] = vector.values->local_element(dim * i + d);
+                file.add_value(value);
+              }
           }
-        patches.push_back(std::move(patch));
       }
-
-    fields.write(patches, time, path);
+    file.write(time, path);
   }
 
 

@@ -14,13 +14,13 @@ namespace Waker
                   const std::string         &path,
                   const PointVectors<dim>   &vectors)
   {
-    VtuFields fields;
-    fields.add_scalar("id", "");
-    fields.add_scalar("material", "");
-    fields.add_scalar("mass", "Mg");
-    fields.add_scalar("volume", dim == 2 ? "m^2" : "m^3");
-    fields.add_vector("displacement", "m", dim);
-    fields.add_vector("velocity", "m/s", dim);
+    VtuFile file(VtuFile::Cell::vertex);
+    file.add_scalar("id", "", VtuFile::Type::id);
+    file.add_scalar("material", "", VtuFile::Type::number);
+    file.add_scalar("mass", "Mg");
+    file.add_scalar("volume", dim == 2 ? "m^2" : "m^3");
+    file.add_vector("displacement", "m");
+    file.add_vector("velocity", "m/s");
     for (const char *const name : {"stress_xx",
                                    "stress_yy",
                                    "stress_zz",
@@ -29,55 +29,41 @@ namespace Waker
                                    "stress_yz",
                                    "mean_stress",
                                    "deviatoric_stress"})
-      fields.add_scalar(name, "kPa");
+      file.add_scalar(name, "kPa");
     for (const NamedArray &scalar : points.scalars)
-      fields.add_scalar(scalar.name, "");
+      file.add_scalar(scalar.name, "");
     for (const PointVector<dim> &vector : vectors)
       {
         AssertDimension(vector.values->size(), points.n_points());
-        fields.add_vector(vector.name, vector.unit, dim);
+        file.add_vector(vector.name, vector.unit);
       }
 
-    std::vector<DataOutBase::Patch<0, dim>> patches(points.n_points());
     for (std::size_t p = 0; p < points.n_points(); ++p)
       {
-        // Patch<0> knows by itself that it is a vertex.
-        DataOutBase::Patch<0, dim> &patch = patches[p];
-        patch.vertices[0]                 = points.position[p];
-        patch.patch_index                 = p;
-        patch.data.reinit(fields.n_components(), 1, true);
-
-        unsigned int c   = 0;
-        const auto   add = [&](const double value) {
-          patch.data(c++, 0) = static_cast<float>(value);
-        };
-        add(static_cast<double>(points.id[p]));
-        add(points.material[p]);
-        add(points.mass[p]);
-        add(points.volume[p]);
-        for (unsigned int d = 0; d < dim; ++d)
-          add(points.position[p][d] - points.initial_position[p][d]);
-        for (unsigned int d = 0; d < dim; ++d)
-          add(points.velocity[p][d]);
+        file.add_point(points.position[p]);
+        file.add_value(static_cast<double>(points.id[p]));
+        file.add_value(points.material[p]);
+        file.add_value(points.mass[p]);
+        file.add_value(points.volume[p]);
+        file.add_value(points.position[p] - points.initial_position[p]);
+        file.add_value(points.velocity[p]);
 
         const SymmetricTensor<2, 3> &stress = points.stress[p];
         for (unsigned int d = 0; d < 3; ++d)
-          add(stress[d][d]);
-        add(stress[0][1]);
-        add(stress[0][2]);
-        add(stress[1][2]);
+          file.add_value(stress[d][d]);
+        file.add_value(stress[0][1]);
+        file.add_value(stress[0][2]);
+        file.add_value(stress[1][2]);
         const SymmetricTensor<2, 3> s = deviator(stress);
-        add(-trace(stress) / 3.);
-        add(std::sqrt(1.5 * (s * s)));
+        file.add_value(-trace(stress) / 3.);
+        file.add_value(std::sqrt(1.5 * (s * s)));
 
         for (const NamedArray &scalar : points.scalars)
-          add(scalar.values[p]);
+          file.add_value(scalar.values[p]);
         for (const PointVector<dim> &vector : vectors)
-          for (unsigned int d = 0; d < dim; ++d)
-            add((*vector.values)[p][d]);
+          file.add_value((*vector.values)[p]);
       }
-
-    fields.write(patches, time, path);
+    file.write(time, path);
   }
 
 

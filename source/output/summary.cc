@@ -89,6 +89,7 @@ namespace Waker
       f("linear_iterations", s.linear_iterations);
       f("unconverged_steps", s.unconverged_steps);
       f("particles", s.particles);
+      f("vanished_tractions", s.vanished_tractions);
       f("wall_time", s.wall_time);
       f("parameters_hash", s.parameters_hash);
       f("version", s.version);

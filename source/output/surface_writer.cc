@@ -5,30 +5,25 @@
 
 #include "vtu.h"
 #include <algorithm>
-#include <array>
 
 namespace Waker
 {
   namespace
   {
-    using LinePatch = DataOutBase::Patch<1, 2>;
-
-    /// @param data one row per end
-    template <std::size_t n_fields>
-    LinePatch
-    make_line(const Point<2>                                    &from,
-              const Point<2>                                    &to,
-              const std::array<std::array<double, n_fields>, 2> &data)
+    void
+    add_surface_fields(VtuFile &file)
     {
-      LinePatch patch;
-      patch.reference_cell = ReferenceCells::Line;
-      patch.vertices[0]    = from;
-      patch.vertices[1]    = to;
-      patch.data.reinit(n_fields, 2);
-      for (unsigned int end = 0; end < 2; ++end)
-        for (unsigned int c = 0; c < n_fields; ++c)
-          patch.data(c, end) = static_cast<float>(data[end][c]);
-      return patch;
+      file.add_scalar("on_face", "", VtuFile::Type::number);
+      file.add_scalar("wetted", "", VtuFile::Type::number);
+      file.add_scalar("pressure", "kPa");
+    }
+
+
+    template <int dim>
+    double
+    pressure(const WaterParameters &water, const Point<dim> &x)
+    {
+      return water.unit_weight * std::max(water.level - x[1], 0.);
     }
   } // namespace
 
@@ -40,46 +35,33 @@ namespace Waker
                 const double                      time,
                 const std::string                &path)
   {
-    VtuFields fields;
-    fields.add_scalar("chain", "");
-    fields.add_scalar("on_face", "");
-    fields.add_scalar("wetted", "");
-    fields.add_scalar("pressure", "kPa");
-    using Row = std::array<double, 4>;
-
-    std::vector<LinePatch> patches;
+    VtuFile file(VtuFile::Cell::line);
+    file.add_scalar("chain", "", VtuFile::Type::number);
+    add_surface_fields(file);
     for (std::size_t i = 0; i < surface.chains.size(); ++i)
       {
         const SurfaceChain &chain = surface.chains[i];
         const std::size_t   n     = chain.vertices.size();
         for (std::size_t k = 0; k < n; ++k)
-          {
-            const Row row = {{static_cast<double>(i),
-                              static_cast<double>(chain.on_face[k]),
-                              0.,
-                              0.}};
-            patches.push_back(make_line<4>(chain.vertices[k],
-                                           chain.vertices[(k + 1) % n],
-                                           {{row, row}}));
-          }
+          for (const std::size_t v : {k, (k + 1) % n})
+            {
+              file.add_point(chain.vertices[v]);
+              file.add_value(i);
+              file.add_value(chain.on_face[k]);
+              file.add_value(0.);
+              file.add_value(0.);
+            }
       }
-
     for (const LoadedSegment &segment : wetted_segments)
-      {
-        const auto row = [&](const Point<2> &x) {
-          return Row{{-1.,
-                      -1.,
-                      1.,
-                      water.unit_weight * std::max(water.level - x[1], 0.)}};
-        };
-        patches.push_back(make_line<4>(segment.from,
-                                       segment.to,
-                                       {{row(segment.from), row(segment.to)}}));
-      }
-
-    for (std::size_t i = 0; i < patches.size(); ++i)
-      patches[i].patch_index = i;
-    fields.write(patches, time, path);
+      for (const Point<2> &x : {segment.from, segment.to})
+        {
+          file.add_point(x);
+          file.add_value(-1.);
+          file.add_value(-1.);
+          file.add_value(1.);
+          file.add_value(pressure(water, x));
+        }
+    file.write(time, path);
   }
 
 
@@ -91,34 +73,19 @@ namespace Waker
                 const double           time,
                 const std::string     &path)
   {
-    VtuFields fields;
-    fields.add_scalar("on_face", "");
-    fields.add_scalar("wetted", "");
-    fields.add_scalar("pressure", "kPa");
-
-    std::vector<DataOutBase::Patch<dim - 1, dim>> patches;
+    VtuFile file(dim == 2 ? VtuFile::Cell::line : VtuFile::Cell::triangle);
+    add_surface_fields(file);
     for (const Facets<dim> *const facets : {&surface, &wetted})
       for (const Facet<dim> &facet : *facets)
-        {
-          const bool                       is_wet = facets == &wetted;
-          DataOutBase::Patch<dim - 1, dim> patch;
-          patch.reference_cell =
-            dim == 2 ? ReferenceCells::Line : ReferenceCells::Triangle;
-          patch.patch_index = patches.size();
-          patch.data.reinit(fields.n_components(), dim);
-          for (unsigned int v = 0; v < dim; ++v)
-            {
-              const Point<dim> &x = facet.vertices[v];
-              patch.vertices[v]   = x;
-              patch.data(0, v)    = is_wet ? -1 : facet.on_face;
-              patch.data(1, v)    = is_wet;
-              patch.data(2, v) =
-                is_wet ? water.unit_weight * std::max(water.level - x[1], 0.)
-                       : 0.;
-            }
-          patches.push_back(std::move(patch));
-        }
-    fields.write(patches, time, path);
+        for (const Point<dim> &x : facet.vertices)
+          {
+            const bool is_wet = facets == &wetted;
+            file.add_point(x);
+            file.add_value(is_wet ? -1 : facet.on_face);
+            file.add_value(is_wet);
+            file.add_value(is_wet ? pressure(water, x) : 0.);
+          }
+    file.write(time, path);
   }
 
 

@@ -12,40 +12,24 @@ namespace Waker
                   const double          time,
                   const std::string    &path)
   {
-    VtuFields fields;
-    fields.add_scalar("number", "");
-    fields.add_vector("traction", "kPa", dim);
-    fields.add_scalar("pressure", "kPa");
-
-    std::vector<DataOutBase::Patch<dim - 1, dim>> patches;
+    VtuFile file(dim == 2 ? VtuFile::Cell::line : VtuFile::Cell::triangle);
+    file.add_scalar("number", "", VtuFile::Type::number);
+    file.add_vector("traction", "kPa");
+    file.add_scalar("pressure", "kPa");
     for (std::size_t i = 0; i < tractions.size(); ++i)
       {
-        const typename Tractions<dim>::View view = tractions.view(i);
-        for (const Facet<dim> &facet : *view.facets)
-          {
-            DataOutBase::Patch<dim - 1, dim> patch;
-            patch.reference_cell =
-              dim == 2 ? ReferenceCells::Line : ReferenceCells::Triangle;
-            patch.patch_index = patches.size();
-            patch.data.reinit(fields.n_components(), dim);
-            for (unsigned int v = 0; v < dim; ++v)
-              {
-                const Point<dim>    &x = facet.vertices[v];
-                const Tensor<1, dim> q = view.traction->value(facet.normal, x);
-                patch.vertices[v]      = x;
-                unsigned int c         = 0;
-                const auto   add       = [&](const double value) {
-                  patch.data(c++, v) = static_cast<float>(value);
-                };
-                add(static_cast<double>(i));
-                for (unsigned int d = 0; d < dim; ++d)
-                  add(q[d]);
-                add(-(q * facet.normal));
-              }
-            patches.push_back(std::move(patch));
-          }
+        const Facets<dim> &facets = *tractions.view(i).facets;
+        for (std::size_t k = 0; k < facets.size(); ++k)
+          for (const Point<dim> &x : facets[k].vertices)
+            {
+              const Tensor<1, dim> q = tractions.value(i, k, x);
+              file.add_point(x);
+              file.add_value(static_cast<double>(i));
+              file.add_value(q);
+              file.add_value(-(q * facets[k].normal));
+            }
       }
-    fields.write(patches, time, path);
+    file.write(time, path);
   }
 
 

@@ -2,12 +2,8 @@
 #ifndef waker_source_output_vtu_h
 #define waker_source_output_vtu_h
 
-#include <deal.II/base/data_out_base.h>
+#include <deal.II/base/point.h>
 
-#include <waker/output/files.h>
-
-#include <map>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -16,75 +12,90 @@ namespace Waker
   using namespace dealii;
 
   /**
-   * What the writers share: the names of the components of patches' data, and
-   * the way to a file. Private to the room, since deal.II's header is heavy.
+   * A .vtu file: cells of one kind, each with points of its own, and fields on
+   * the points. What the writers share; private to the room.
+   *
+   * deal.II's writer stores positions in single precision, which is 16 mm at
+   * x = 155,000 m, and leaves a file without cells in a form that readers
+   * refuse. Here positions have double precision, fields the one that they are
+   * given, and a file without cells holds one cell without points: ParaView
+   * and meshio read it, with all its fields.
+   *
+   * Data are compressed (zlib, inline, base64). Nothing in the file depends on
+   * the date: the same state makes the same file.
    */
-  class VtuFields
+  class VtuFile
   {
   public:
-    void
-    add_scalar(std::string name, const std::string &unit)
+    /// The numbers are VTK's.
+    enum class Cell : unsigned char
     {
-      for (char &c : name)
-        if (c == ' ')
-          c = '_';
-      if (!unit.empty())
-        units[name] = unit;
-      names.push_back(name);
-    }
+      vertex        = 1,
+      line          = 3,
+      triangle      = 5,
+      quadrilateral = 9,
+      hexahedron    = 12
+    };
 
-    /// `dim` components that ParaView sees as one vector of three.
+    /// How a field is stored. Whole numbers are for what is counted or named:
+    /// programs that draw need not guess.
+    enum class Type
+    {
+      real,   // single precision
+      number, // 32 bits
+      id      // 64 bits
+    };
+
+    explicit VtuFile(const Cell cell);
+
+    /// @param name blanks become "_", what XML does not allow is replaced by
+    ///        its entities
+    /// @param unit may be empty
     void
-    add_vector(std::string        name,
+    add_scalar(const std::string &name,
                const std::string &unit,
-               const unsigned int dim)
-    {
-      const unsigned int first = names.size();
-      for (unsigned int d = 0; d < dim; ++d)
-        add_scalar(name, unit);
-      name = names.back();
-      ranges.emplace_back(
-        first,
-        first + dim - 1,
-        name,
-        DataComponentInterpretation::component_is_part_of_vector);
-    }
+               const Type         type = Type::real);
 
-    unsigned int
-    n_components() const
-    {
-      return names.size();
-    }
-
-    /// Without a date in it: the same state makes the same file.
-    template <int cell_dim, int dim>
+    /// Two or three components; it is written with three.
     void
-    write(const std::vector<DataOutBase::Patch<cell_dim, dim>> &patches,
-          const double                                          time,
-          const std::string                                    &path) const
-    {
-      const DataOutBase::VtkFlags flags(
-        time,
-        std::numeric_limits<unsigned int>::min(),
-        /*print_date_and_time =*/false,
-        DataOutBase::VtkFlags::best_speed,
-        /*write_higher_order_cells =*/false,
-        units);
-      std::ostringstream out;
-      DataOutBase::write_vtu(patches, names, ranges, flags, out);
-      write_file(path, out.str());
-    }
+    add_vector(const std::string &name, const std::string &unit);
+
+    /// Begin the next point (m); the points of a cell follow each other, in
+    /// VTK's order. Its fields come next, all of them, in the order in which
+    /// they were added.
+    template <int dim>
+    void
+    add_point(const Point<dim> &x);
+
+    void
+    add_value(const double value);
+
+    template <int dim>
+    void
+    add_value(const Tensor<1, dim> &value);
+
+    /// @param time of the state (s), stored in the file
+    /// @throws UserError "Output/Directory" if it cannot be written
+    void
+    write(const double time, const std::string &path) const;
 
   private:
-    using Range =
-      std::tuple<unsigned int,
-                 unsigned int,
-                 std::string,
-                 DataComponentInterpretation::DataComponentInterpretation>;
+    struct Field
+    {
+      std::string  name;
+      std::string  unit;
+      Type         type;
+      unsigned int n_components; // in the file
+    };
 
-    std::vector<std::string>           names;
-    std::vector<Range>                 ranges;
-    std::map<std::string, std::string> units;
+    std::string
+    field_data(const Field &field, const unsigned int first) const;
+
+    Cell                cell;
+    std::vector<Field>  fields;
+    unsigned int        row_length = 0;
+    std::vector<double> positions; // three per point
+    std::vector<double> values;    // row_length per point
   };
 } // namespace Waker
 

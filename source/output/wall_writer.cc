@@ -12,33 +12,23 @@ namespace Waker
               const double                          time,
               const std::string                    &path)
   {
-    VtuFields fields;
-    fields.add_scalar("wall", "");
-    fields.add_scalar("touches", "");
-    fields.add_scalar("area", dim == 2 ? "m" : "m^2");
-    fields.add_vector("traction", "kPa", dim);
-    fields.add_scalar("pressure", "kPa");
-
-    const auto                             &spots = walls.all_spots();
-    std::vector<DataOutBase::Patch<0, dim>> patches(spots.size());
+    VtuFile file(VtuFile::Cell::vertex);
+    file.add_scalar("wall", "", VtuFile::Type::number);
+    file.add_scalar("touches", "", VtuFile::Type::number);
+    file.add_scalar("area", dim == 2 ? "m" : "m^2");
+    file.add_vector("traction", "kPa");
+    file.add_scalar("pressure", "kPa");
+    const auto &spots = walls.all_spots();
     for (std::size_t q = 0; q < spots.size(); ++q)
       {
-        auto &patch       = patches[q];
-        patch.patch_index = q;
-        patch.vertices[0] = spots[q].position;
-        patch.data.reinit(fields.n_components(), 1);
-        unsigned int c   = 0;
-        const auto   add = [&](const double value) {
-          patch.data(c++, 0) = static_cast<float>(value);
-        };
-        add(spots[q].wall);
-        add(spots[q].touches ? 1. : 0.);
-        add(spots[q].area);
-        for (unsigned int d = 0; d < dim; ++d)
-          add(tractions[q][d]);
-        add(tractions[q] * spots[q].normal);
+        file.add_point(spots[q].position);
+        file.add_value(spots[q].wall);
+        file.add_value(spots[q].touches ? 1. : 0.);
+        file.add_value(spots[q].area);
+        file.add_value(tractions[q]);
+        file.add_value(tractions[q] * spots[q].normal);
       }
-    fields.write(patches, time, path);
+    file.write(time, path);
   }
 
 

@@ -73,16 +73,24 @@ namespace Waker
   work_text(const Work &work, const int n_ranks)
   {
     char text[200];
-    std::snprintf(
-      text,
-      sizeof text,
-      "%llu realisations in %s on %d rank(s): %.0f an hour and core; "
-      "ranks busy %.1f %%",
-      static_cast<unsigned long long>(work.n),
-      duration_text(work.wall).c_str(),
-      n_ranks,
-      work.n / (work.wall * n_ranks) * 3600.,
-      100. * work.busy / (work.wall * n_ranks));
-    return text;
+    std::snprintf(text,
+                  sizeof text,
+                  "%llu realisations in %s on %d rank(s)",
+                  static_cast<unsigned long long>(work.n),
+                  duration_text(work.wall).c_str(),
+                  n_ranks);
+    std::string result = text;
+    // Nothing done, or in no time: there is no rate.
+    const double time = work.wall * n_ranks;
+    if (work.n > 0 && time > 0.)
+      {
+        std::snprintf(text,
+                      sizeof text,
+                      ": %.0f an hour and core; ranks busy %.1f %%",
+                      work.n / time * 3600.,
+                      100. * work.busy / time);
+        result += text;
+      }
+    return result;
   }
 } // namespace Waker

@@ -63,6 +63,7 @@ namespace Waker
     , fixities(grid, flow.conditions())
     , full_node_mass(largest_density(materials) *
                      std::pow(p.grid.cell_size, dim))
+    , riding_loads(p.tractions.size())
   {
     std::vector<std::string> names;
     std::vector<double>      densities;
@@ -91,6 +92,10 @@ namespace Waker
     scene.set(points);
     scene.tractions.check_something_is_loaded();
     scene.tractions.fix_point_loads(points);
+    scene.tractions.ride(points, riding_loads);
+    for (std::size_t i = 0; i < scene.tractions.size(); ++i)
+      initial_tractions.push_back(
+        scene.tractions.resultant(i, scene.nodes.mass));
     initial_wall_tractions.resize(scene.walls.n_spots());
     scene.walls.reinit(scene.nodes.mass, 0., initial_wall_tractions);
     if (parameters.gravity.initial_stress)
@@ -143,8 +148,10 @@ namespace Waker
   initial_vertices(const Case<dim> &the_case)
   {
     SurfaceVertices<dim> vertices;
-    for (const UserSurface<dim> &surface : the_case.user_surfaces)
-      vertices.push_back(surface.vertices);
+    for (std::size_t i = 0; i < the_case.riding_loads.size(); ++i)
+      vertices.push_back(the_case.riding_loads[i].pieces.empty()
+                           ? the_case.user_surfaces[i].vertices
+                           : the_case.riding_loads[i].start_vertices());
     return vertices;
   }
 
@@ -163,7 +170,8 @@ namespace Waker
     , water(the_case.grid, the_case.parameters.water)
     , tractions(the_case.grid,
                 the_case.parameters.tractions,
-                the_case.user_surfaces)
+                the_case.user_surfaces,
+                the_case.riding_loads)
     , walls(the_case.grid,
             the_case.parameters.walls,
             stiffest_modulus(the_case.materials),

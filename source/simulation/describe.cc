@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numeric>
+#include <sstream>
 
 namespace Waker
 {
@@ -57,13 +58,16 @@ namespace Waker
       std::accumulate(points.mass.begin(), points.mass.end(), 0.);
     const double volume =
       std::accumulate(points.volume.begin(), points.volume.end(), 0.);
-    say(log,
-        "  points    %zu, %g m^%d, %g Mg, %.3g per full cell",
-        points.n_points(),
-        volume,
-        dim,
-        mass,
-        points.n_points() * std::pow(h, dim) / volume);
+    if (points.n_points() > 0)
+      say(log,
+          "  points    %zu, %g m^%d, %g Mg, %.3g per full cell",
+          points.n_points(),
+          volume,
+          dim,
+          mass,
+          points.n_points() * std::pow(h, dim) / volume);
+    else
+      log.line("  points    none");
     for (const MaterialParameters &m : p.materials)
       say(log, "  material  %s: %s", m.name.c_str(), m.model.c_str());
 
@@ -93,12 +97,26 @@ namespace Waker
           "  time      explicit, dt about %.2g s (c_p = %.3g m/s)",
           p.time.courant_number * h / c,
           c);
-    for (const TractionParameters &traction : p.tractions)
-      say(log,
-          "  traction  %s: %s on %s",
-          traction.name.c_str(),
-          traction.kind.c_str(),
-          traction.method.c_str());
+    for (std::size_t i = 0; i < p.tractions.size(); ++i)
+      {
+        const TractionParameters &traction = p.tractions[i];
+        const auto               &initial  = the_case.initial_tractions[i];
+        std::ostringstream        force;
+        force.precision(4);
+        for (unsigned int d = 0; d < dim; ++d)
+          force << (d > 0 ? ", " : "") << initial.force[d];
+        const bool rides =
+          traction.rides() || traction.method == "fixed points";
+        say(log,
+            "  traction  %s: %s on %s, (%s) kN on %.4g %s, %s",
+            traction.name.c_str(),
+            traction.kind.c_str(),
+            traction.method.c_str(),
+            force.str().c_str(),
+            initial.measure,
+            dim == 2 ? "m" : "m^2",
+            rides ? "goes with the soil" : "stays in space");
+      }
     if (p.points.points_per_direction == 1)
       say(log,
           "  WARNING   one point per cell and direction: stresses will be "
@@ -124,6 +142,20 @@ namespace Waker
                   Log                &log)
   {
     const FailureRecord &f = state.failure;
+    // A run that was resumed at its end has made no step, and all points may
+    // have left: then there is no such number.
+    const double point_steps =
+      static_cast<double>(state.points.n_points()) * steps_done;
+    std::string rate;
+    if (point_steps > 0.)
+      {
+        char text[64];
+        std::snprintf(text,
+                      sizeof text,
+                      ", %.3g us per point and step",
+                      1e6 * wall_time / point_steps);
+        rate = text;
+      }
     say(log, "Outcome: %s (%s)", outcome.c_str(), reason.c_str());
     say(log,
         "  W %.2f -> %.2f m, H %.2f -> %.2f m, t = %.3f s",
@@ -133,15 +165,12 @@ namespace Waker
         f.geometry.height,
         state.time);
     say(log,
-        "  %llu steps, %llu Newton iterations, %llu unconverged, %.2f s, "
-        "%.3g us per point and step",
+        "  %llu steps, %llu Newton iterations, %llu unconverged, %.2f s%s",
         static_cast<unsigned long long>(state.step),
         static_cast<unsigned long long>(state.newton_iterations),
         static_cast<unsigned long long>(state.unconverged_steps),
         wall_time,
-        state.step > 0
-          ? 1e6 * wall_time / (state.points.n_points() * steps_done)
-          : 0.);
+        rate.c_str());
   }
 
 

@@ -56,6 +56,7 @@ namespace Waker
           throw;
         throw NumericalFailure(error.what());
       }
+    scene.tractions.record(state->time, state->tractions);
     scene.walls.reinit(scene.nodes.mass, state->time, state->wall_tractions);
     if (state->step == 0)
       {

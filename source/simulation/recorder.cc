@@ -284,8 +284,10 @@ namespace Waker
     summary.linear_iterations = state.linear_iterations;
     summary.unconverged_steps = state.unconverged_steps;
     summary.particles         = state.points.n_points();
-    summary.wall_time         = wall_time;
-    summary.parameters_hash   = parameters->hash;
+    for (const TractionRecord &traction : state.tractions)
+      summary.vanished_tractions += traction.empty_time >= 0.;
+    summary.wall_time       = wall_time;
+    summary.parameters_hash = parameters->hash;
     summary.write(join_path(parameters->output.directory, "summary.json"));
   }
 

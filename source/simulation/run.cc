@@ -76,6 +76,41 @@ namespace Waker
     }
 
 
+    /// Say in the log what has just happened to the tractions.
+    void
+    report_tractions(const std::vector<TractionParameters> &parameters,
+                     const std::vector<TractionRecord>     &before,
+                     const std::vector<TractionRecord>     &now,
+                     Log                                   &log)
+    {
+      for (std::size_t i = 0; i < now.size(); ++i)
+        {
+          const TractionRecord was =
+            i < before.size() ? before[i] : TractionRecord();
+          const auto say = [&](const double       earlier,
+                               const double       time,
+                               const std::string &what) {
+            if (time < 0. || earlier >= 0.)
+              return;
+            char text[64];
+            std::snprintf(text, sizeof text, "t = %.3f s: traction ", time);
+            log.line(text + parameters[i].name + " " + what);
+          };
+          say(
+            was.empty_time,
+            now[i].empty_time,
+            "loads nothing: no part of the surface is left in it; see Follows");
+          say(was.left_time,
+              now[i].left_time,
+              "has lost a part: soil that carried it has left the grid");
+          say(was.lost_time,
+              now[i].lost_time,
+              "loses more than 1 % of its load, on nodes without soil; see "
+              "Minimum support");
+        }
+    }
+
+
     template <int dim>
     RunStatus
     loop(const Case<dim>  &the_case,
@@ -99,9 +134,14 @@ namespace Waker
         {
           while (true)
             {
-              const FailureRecord before = state.failure;
-              const StopReason    stop   = realisation.look();
+              const FailureRecord               before = state.failure;
+              const std::vector<TractionRecord> loads  = state.tractions;
+              const StopReason                  stop   = realisation.look();
               report_events(before, state.failure, log);
+              report_tractions(the_case.parameters.tractions,
+                               loads,
+                               state.tractions,
+                               log);
               const bool last = stop != StopReason::none;
               if (is_new)
                 {

@@ -46,6 +46,7 @@ namespace Waker
       for (std::vector<Point<dim>> &vertices : state.surface_vertices)
         array(archive, vertices);
       array(archive, state.wall_tractions);
+      archive &state.tractions;
       archive &state.time &state.step &state.flow &state.energy &state
         .failure &state.rest &state.mean_plastic_strain &state
         .displacement_rate &state.last_dt &state.halvings &state

@@ -32,8 +32,10 @@ namespace Waker
       const std::size_t at = vtu.find(tag);
       if (at == std::string::npos)
         return 0;
+      // "<Points>" has no name; its array is the one that follows.
+      const std::size_t array = tag[0] == '<' ? vtu.find("<DataArray", at) : at;
       const std::size_t begin =
-        vtu.find_first_not_of(" \n", vtu.find('>', at) + 1);
+        vtu.find_first_not_of(" \n", vtu.find('>', array) + 1);
       const std::vector<unsigned char> header =
         Utilities::decode_base64(vtu.substr(begin, 24));
       unsigned int numbers[4];
@@ -87,15 +89,16 @@ namespace Waker
       const std::string vtu = get(path);
 
       EXPECT_TRUE(contains(vtu, piece(n, n)));
-      // Without a reference cell deal.II writes n cells of nothing.
       EXPECT_EQ(n_bytes(vtu, "Name=\"types\""), n);
       EXPECT_EQ(n_bytes(vtu, "Name=\"undrained_shear_strength\""), 4 * n);
       for (const char *const name : {"displacement", "velocity"})
         EXPECT_EQ(n_bytes(vtu, std::string("Name=\"") + name + "\""),
                   3 * 4 * n);
       for (const char *const name :
-           {"id", "material", "stress_xy", "mean_stress", "deviatoric_stress"})
+           {"material", "stress_xy", "mean_stress", "deviatoric_stress"})
         EXPECT_EQ(n_bytes(vtu, std::string("Name=\"") + name + "\""), 4 * n);
+      EXPECT_EQ(n_bytes(vtu, "Name=\"id\""), 8 * n);
+      EXPECT_EQ(n_bytes(vtu, "<Points>"), 8 * 3 * n);
       EXPECT_TRUE(contains(vtu, "</VTKFile>"));
     }
   } // namespace
@@ -185,6 +188,21 @@ namespace Waker
                {},
                0.,
                folder.file("grid.vtu"));
-    EXPECT_TRUE(contains(get(folder.file("grid.vtu")), piece(0, 0)));
+    const std::string vtu = get(folder.file("grid.vtu"));
+    EXPECT_TRUE(contains(vtu, piece(0, 1)));
+    EXPECT_TRUE(contains(vtu, "Name=\"mass\""));
+    EXPECT_EQ(n_bytes(vtu, "Name=\"types\""), 1u);
+  }
+
+
+  TEST(Output, names_are_written_as_xml_wants_them)
+  {
+    const TemporaryFolder folder;
+    MaterialPoints<2>     points = make_points<2>(3);
+    points.scalar("load_wind & \"golf\" <1>_x", 1.);
+    write_particles(points, 0., folder.file("particles.vtu"));
+    EXPECT_TRUE(
+      contains(get(folder.file("particles.vtu")),
+               "Name=\"load_wind_&amp;_&quot;golf&quot;_&lt;1&gt;_x\""));
   }
 } // namespace Waker

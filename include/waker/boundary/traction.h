@@ -44,6 +44,23 @@ namespace Waker
     Tensor<1, dim>
     value(const Tensor<1, dim> &normal, const Point<dim> &x) const;
 
+    /// Force (kN) on a piece that rides on the soil, if all of it were at X.
+    /// @param start_measure of the piece at t = 0 (m^(dim-1)): a vector is the
+    ///        load of that
+    /// @param area now, times the normal: a pressure is the load of that
+    /// @param X place at t = 0
+    Tensor<1, dim>
+    force(const double          start_measure,
+          const Tensor<1, dim> &area,
+          const Point<dim>     &X) const;
+
+    /// Is it the same everywhere?
+    bool
+    is_uniform() const
+    {
+      return uniform && kind != Kind::hydrostatic;
+    }
+
     /// Does it depend on the time?
     bool
     moves() const;

@@ -54,6 +54,11 @@ namespace Waker
     /// degrees; empty: all.
     std::vector<double> facing;
     double              opening = 89.;
+    /// What carries the load once the soil moves. "soil": the part that is
+    /// selected at the start, wherever it goes (boundary/riding_load.h);
+    /// "space": what is in the box and faces that way now; "automatic": see
+    /// rides().
+    std::string follows = "automatic";
 
     /// "proximity field", "contour": are holes inside a body loaded, too? They
     /// are gaps that a liquid outside does not reach.
@@ -62,6 +67,13 @@ namespace Waker
     /// A node carries load only if its mass is at least this share of a full
     /// node's; 0: all do, and what falls on nodes without mass is lost.
     double minimum_support = 0.;
+
+    /// Does the part that is loaded at the start carry the load for ever?
+    /// "automatic": if there is a box, for what is put on soil (vector and
+    /// pressure), on a surface that points or vertices can carry. A liquid
+    /// stays where it stands, and the faces of cells do not move.
+    bool
+    rides() const;
 
     void
     add_parameters(ParameterHandler &prm);

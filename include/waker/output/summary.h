@@ -39,6 +39,8 @@ namespace Waker
     std::uint64_t linear_iterations = 0;
     std::uint64_t unconverged_steps = 0;
     std::uint64_t particles         = 0;
+    /// Tractions that at some time had no surface left to load.
+    std::uint64_t vanished_tractions = 0;
 
     double wall_time = 0.; // s
 

@@ -45,7 +45,11 @@ namespace Waker
     const double        full_node_mass; // Mg, of a node inside the body
     MaterialPoints<dim> initial_points;
     typename Walls<dim>::Tractions initial_wall_tractions; // kPa
-    GravityReport                  gravity_report;
+    /// Of the tractions, one each; without pieces for those that do not ride.
+    std::vector<RidingLoad<dim>> riding_loads;
+    /// Of the tractions, one each.
+    std::vector<typename Tractions<dim>::Resultant> initial_tractions;
+    GravityReport                                   gravity_report;
 
   private:
     void
@@ -53,7 +57,7 @@ namespace Waker
   };
 
 
-  /// The user's surfaces at t = 0.
+  /// The vertices that the material carries, at t = 0.
   template <int dim>
   SurfaceVertices<dim>
   initial_vertices(const Case<dim> &the_case);
@@ -72,7 +76,7 @@ namespace Waker
     /**
      * Map the points, find the surfaces, load them.
      * @param time of the loads (s)
-     * @param vertices of the user's surfaces
+     * @param vertices that the material carries
      */
     void
     set(const MaterialPoints<dim>  &points,

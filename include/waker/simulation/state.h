@@ -27,8 +27,10 @@ namespace Waker
     double              time = 0.; // s
     std::uint64_t       step = 0;  // steps done
 
-    /// Of the user's surfaces, which the material carries along.
-    SurfaceVertices<dim> surface_vertices;
+    /// Of the user's surfaces and of loads that ride: the material carries
+    /// them along.
+    SurfaceVertices<dim>        surface_vertices;
+    std::vector<TractionRecord> tractions; // one each, from the first look on
 
     typename Walls<dim>::Tractions wall_tractions; // kPa
 
