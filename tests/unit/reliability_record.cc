@@ -2,6 +2,7 @@
 #include <waker/base/errors.h>
 #include <waker/reliability/campaign_info.h>
 #include <waker/reliability/record.h>
+#include <waker/reliability/record_json.h>
 
 #include "output_temporary_folder.h"
 #include "reliability_records.h"
@@ -42,7 +43,7 @@ namespace Waker
   TEST(Reliability, record_returns_with_every_bit)
   {
     std::mt19937_64                        generator(1);
-    std::uniform_real_distribution<double> exponent(-300., 300.);
+    std::uniform_real_distribution<double> exponent(-300., -37.); // plausible
     for (unsigned int i = 0; i < 200; ++i)
       {
         Record     record = synthetic_record(3, 4001);
@@ -50,14 +51,14 @@ namespace Waker
           return std::ldexp(static_cast<double>(generator()) - 9e18,
                             static_cast<int>(exponent(generator)));
         };
-        record.realisation    = generator();
+        record.realisation    = generator() % 1000000000000000;
         record.outcome        = static_cast<Outcome>(i % 4);
         record.mean_strength  = number();
         record.residual_width = 0.1 + 0.2;
-        record.wall_time      = number();
-        record.field_time     = number();
-        record.outward        = {number(), -0., number()};
-        record.trace[1].time  = number();
+        record.wall_time      = std::abs(number());
+        record.field_time     = std::abs(number());
+        record.outward        = {std::abs(number()), -0., number()};
+        record.trace[1].time  = std::abs(number());
 
         const Record copy = record_from_json(to_json(record));
         EXPECT_EQ(to_json(copy), to_json(record));
@@ -176,6 +177,72 @@ namespace Waker
               "\"outcome\" is 'wet', which is no outcome");
     EXPECT_EQ(problem(replaced(line, "[21.0,1.5,-0.75]", "[21.0,1.5]")),
               "\"first_inward\" does not hold three numbers each");
+
+    // What no dyke can be: a line that was damaged.
+    EXPECT_EQ(problem(replaced(line, "\"end_time\":40.0", "\"end_time\":1e20")),
+              "\"end_time\" is 1e+20, outside of 0 to 1e+12");
+    EXPECT_EQ(problem(replaced(line,
+                               "\"steps\":801",
+                               "\"steps\":1" + std::string(17, '0'))),
+              "\"steps\" is 1e+17, outside of 0 to 1e+15");
+    EXPECT_EQ(problem(replaced(line, "[21.0,1.5,-0.75]", "[-21.0,1.5,-0.75]")),
+              "\"first_inward\" is -21, outside of 0 to 1e+12");
+    EXPECT_EQ(problem(replaced(line, "[9.0,0.0,2.01]", "[9.0,0.0,1e20]")),
+              "\"trace\" is 1e+20, outside of -1e+08 to 1e+08");
+  }
+
+
+  // A simulation that explodes must not write what is then taken for damage.
+  TEST(Reliability, record_with_impossible_numbers_can_be_read)
+  {
+    Record record          = synthetic_record(0, 1);
+    record.residual_height = 1e30;
+    record.residual_width  = -std::numeric_limits<double>::infinity();
+    record.inward          = {1e40, -1e40, 2.};
+    record.trace[1].height = 1e200;
+    const Record copy      = record_from_json(to_json(record));
+    EXPECT_TRUE(std::isnan(copy.residual_height));
+    EXPECT_TRUE(std::isnan(copy.residual_width));
+    EXPECT_TRUE(std::isnan(copy.inward.area));
+    EXPECT_TRUE(std::isnan(copy.inward.dx));
+    EXPECT_EQ(copy.inward.dy, 2.);
+    EXPECT_TRUE(std::isnan(copy.trace[1].height));
+  }
+
+
+  // How members are added: lines of before do not have them.
+  TEST(Reliability, record_member_that_a_line_lacks_is_empty)
+  {
+    using namespace RecordJson;
+    const auto            range = Plausible::length;
+    std::optional<double> member;
+    Json                  line = Json::object();
+    put(line, "new", range, member);
+    EXPECT_TRUE(line.empty());
+    Hash nothing;
+    nothing.add(member);
+    EXPECT_EQ(nothing.state, Hash().state);
+
+    member = 0.75;
+    put(line, "new", range, member);
+    EXPECT_EQ(line.dump(), R"({"new":0.75})");
+    Hash something;
+    something.add(member);
+    EXPECT_NE(something.state, nothing.state);
+
+    std::optional<double> copy;
+    take(line, "new", range, copy);
+    EXPECT_EQ(copy, member);
+    take(Json::object(), "new", range, copy);
+    EXPECT_FALSE(copy.has_value());
+    EXPECT_THROW(take(Json({{"new", "x"}}), "new", range, copy),
+                 std::runtime_error);
+    EXPECT_THROW(take(Json({{"new", 1e20}}), "new", range, copy),
+                 std::runtime_error);
+    std::optional<MovedSoil> soil;
+    take(Json::parse(R"({"soil":[1.5,2,3]})"), "soil", range, soil);
+    ASSERT_TRUE(soil.has_value());
+    EXPECT_EQ(soil->area, 1.5);
   }
 
 

@@ -22,6 +22,10 @@ namespace Waker
   std::string
   to_string(const Outcome outcome);
 
+  /// The outcome of that name. @return false if there is none
+  bool
+  outcome_from_string(const std::string &name, Outcome &outcome);
+
   /// Geometry at a moment: what slides are found in.
   struct TracePoint
   {
@@ -32,7 +36,8 @@ namespace Waker
 
   /**
    * What a campaign keeps of one realisation: one line of JSON in a journal.
-   * Times are -1 if the event did not occur.
+   * Times are -1 if the event did not occur. Members that the lines of earlier
+   * versions lack are std::optional (see record_json.h).
    */
   struct Record
   {
@@ -80,8 +85,8 @@ namespace Waker
   /**
    * Of the values of to_json(); unknown ones are passed over.
    *
-   * @throws std::runtime_error with what is wrong: not JSON, a value missing
-   *         or of another kind
+   * @throws std::runtime_error with what is wrong: not JSON, a value missing,
+   *         of another kind, or outside of what is possible
    */
   Record
   record_from_json(const std::string &text);
