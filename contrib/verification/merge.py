@@ -13,6 +13,7 @@ import os
 import subprocess
 import tempfile
 import time
+import zlib
 
 import h5py
 import xarray
@@ -42,24 +43,31 @@ def main():
              "--set", f"Output/Directory={folder}"],
             check=True, stdout=subprocess.DEVNULL)
 
+        def sealed(entry, key):
+            """A line of a journal, with its checksum."""
+            text = json.dumps(entry, separators=(",", ":"))[:-1]
+            checksum = zlib.crc32((key + text).encode())
+            return f'{text},"crc":"{checksum:08x}"}}\n'
+
         header, records = None, []
         for path in sorted(glob.glob(os.path.join(folder, "journal-*.jsonl"))):
             with open(path, encoding="utf-8") as lines:
                 for line in lines:
                     entry = json.loads(line)
+                    entry.pop("crc")
                     if "realisation" in entry:
                         records.append(entry)
                     else:
-                        header = line
+                        header = entry
         assert header is not None and len(records) == options.own
         for j in range(N_JOURNALS):
             path = os.path.join(folder, f"journal-{100 + j:05d}.jsonl")
             with open(path, "w", encoding="utf-8") as journal:
-                journal.write(header)
+                journal.write(sealed(header, ""))
                 for i in range(options.own + j, options.n, N_JOURNALS):
                     records[i % options.own]["realisation"] = i
-                    journal.write(json.dumps(records[i % options.own],
-                                             separators=(",", ":")) + "\n")
+                    journal.write(sealed(records[i % options.own],
+                                         header["campaign"]))
 
         size = sum(os.path.getsize(path) for path in
                    glob.glob(os.path.join(folder, "journal-*.jsonl")))

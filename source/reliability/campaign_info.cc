@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/base/hash.h>
 #include <waker/output/files.h>
 #include <waker/reliability/campaign_info.h>
 
@@ -29,6 +30,27 @@ namespace Waker
 
 
     std::string
+    dump(const Json &json, const int indentation)
+    {
+      return json.dump(indentation, ' ', false, Json::error_handler_t::replace);
+    }
+
+
+    /// Is the checksum right, or may there be none? What lies between the
+    /// values, blanks and ends of lines, does not count.
+    bool
+    is_whole(Json json)
+    {
+      const auto found = json.find("crc");
+      if (found == json.end())
+        return json.value("schema_version", 1u) < 2;
+      const Json checksum = *found;
+      json.erase("crc");
+      return checksum == checksum_of_text(dump(json, -1));
+    }
+
+
+    std::string
     to_json(const CampaignInfo &info)
     {
       Json json;
@@ -54,7 +76,10 @@ namespace Waker
           json["scenarios"].push_back(entry);
         }
       json["parameters"] = info.parameters;
-      return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+      // Of text that is not UTF-8 a reader sees the replacement, too.
+      json        = Json::parse(dump(json, -1));
+      json["crc"] = checksum_of_text(dump(json, -1));
+      return dump(json, 2) + "\n";
     }
 
 
@@ -109,6 +134,10 @@ namespace Waker
     CampaignInfo info;
     try
       {
+        if (!is_whole(json))
+          throw UserError(path,
+                          "is damaged: its checksum is wrong",
+                          right + ", as the program wrote it");
         const unsigned int schema =
           json.at("schema_version").get<unsigned int>();
         if (schema > current_schema_version)

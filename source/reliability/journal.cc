@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/base/hash.h>
 #include <waker/output/files.h>
 #include <waker/reliability/journal.h>
+#include <waker/reliability/journal_header.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <tuple>
 
 namespace Waker
@@ -25,44 +26,6 @@ namespace Waker
              name.compare(0, prefix.size(), prefix) == 0 &&
              name.compare(name.size() - suffix.size(), suffix.size(), suffix) ==
                0;
-    }
-
-
-    /// A value of the first line that earlier versions did not write.
-    template <typename T>
-    T
-    value_of(const nlohmann::json &header,
-             const char *const     name,
-             const T              &otherwise)
-    {
-      const auto found = header.find(name);
-      if (found == header.end())
-        return otherwise;
-      try
-        {
-          return found->get<T>();
-        }
-      catch (const nlohmann::json::exception &)
-        {
-          return otherwise; // no reason to lose the records
-        }
-    }
-
-
-    MachineUse
-    use_of(const nlohmann::json &header)
-    {
-      const Machine unknown;
-      MachineUse    use;
-      use.machine    = {value_of(header, "host", unknown.host),
-                        value_of(header, "processor", unknown.processor),
-                        value_of(header, "cores", unknown.n_cores),
-                        value_of(header, "version", unknown.version),
-                        value_of(header, "compiler", unknown.compiler),
-                        value_of(header, "build_flags", unknown.build_flags)};
-      use.start      = value_of(header, "start", std::string("unknown"));
-      use.n_journals = 1;
-      return use;
     }
   } // namespace
 
@@ -163,13 +126,11 @@ namespace Waker
                     ++journal.n_lines;
                     if (journal.n_lines == 1)
           read_header(name, line, journal);
-        else if (journal.is_ours)
-          read_record(name + ":" + std::to_string(journal.n_lines),
-                      line,
-                      journal.use,
-                      records);
         else
-          ++counted.n_foreign;
+          read_line(name + ":" + std::to_string(journal.n_lines),
+                    line,
+                    journal,
+                    records);
       }
     journal.position += begin;
   }
@@ -181,38 +142,66 @@ namespace Waker
                              const std::string &line,
                              Journal           &journal)
   {
-    nlohmann::json header;
-    std::string    campaign;
-    unsigned int   schema = 0;
-    try
+    const JournalHeader header = read_journal_header(line);
+    if (header.damaged)
       {
-        header   = nlohmann::json::parse(line);
-        campaign = header.at("campaign").get<std::string>();
-        schema   = header.at("schema_version").get<unsigned int>();
-      }
-    catch (const nlohmann::json::exception &)
-      {
+        journal.kind = Kind::damaged;
         ++counted.n_damaged;
         counted.remarks.push_back(name +
                                   ":1: the first line, which names the "
-                                  "campaign, cannot be read; journal skipped");
-        return;
+                                  "campaign, is damaged; lines are taken if "
+                                  "their checksum is of this campaign");
       }
-
-    if (campaign != campaign_hash)
+    else if (header.campaign != campaign_hash)
       {
-        counted.remarks.push_back(name + ": of another campaign (" + campaign +
-                                  ", not " + campaign_hash + "); skipped");
-        return;
+        journal.kind = Kind::foreign;
+        counted.remarks.push_back(name + ": of another campaign (" +
+                                  header.campaign + ", not " + campaign_hash +
+                                  "); skipped");
       }
-    if (schema > journal_schema_version)
+    else if (header.schema_version > journal_schema_version)
       throw UserError(join_path(folder, name),
-                      "has schema version " + std::to_string(schema) +
+                      "has schema version " +
+                        std::to_string(header.schema_version) +
                         ": it was written by a newer version of the program",
                       "schema versions up to " +
                         std::to_string(journal_schema_version));
-    journal.is_ours = true;
-    journal.use     = use_of(header);
+    else
+      {
+        journal.is_ours = true;
+        journal.kind    = header.has_checksums ? Kind::checked : Kind::plain;
+        journal.use     = header.use;
+      }
+  }
+
+
+
+  void
+  JournalReader::read_line(const std::string   &place,
+                           const std::string   &line,
+                           Journal             &journal,
+                           std::vector<Record> &records)
+  {
+    const Seal seal = journal.kind == Kind::foreign
+                        ? Seal::none
+                        : check_seal(line, campaign_hash);
+    const bool is_foreign =
+      journal.kind == Kind::foreign ||
+      (journal.kind == Kind::damaged && seal != Seal::whole);
+    if (is_foreign)
+      ++counted.n_foreign;
+    else if (seal == Seal::broken ||
+             (seal == Seal::none && journal.kind == Kind::checked))
+      {
+        ++counted.n_damaged;
+        counted.remarks.push_back(place + ": its checksum is wrong; dropped");
+      }
+    else
+      {
+        journal.is_ours        = true;
+        journal.use.n_journals = 1;
+        read_record(place, line, journal.use, records);
+      }
   }
 
 

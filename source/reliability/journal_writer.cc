@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/base/hash.h>
 #include <waker/output/files.h>
 #include <waker/reliability/journal.h>
+#include <waker/reliability/journal_header.h>
 
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <fcntl.h>
-#include <nlohmann/json.hpp>
 #include <unistd.h>
 
 namespace Waker
@@ -35,10 +36,19 @@ namespace Waker
 
 
 
+  std::string
+  journal_line(const Record &record, const std::string &campaign_hash)
+  {
+    return sealed(to_json(record), campaign_hash);
+  }
+
+
+
   JournalWriter::JournalWriter(const std::string &folder,
                                const std::string &campaign_hash,
                                const double       sync_interval)
-    : sync_interval(sync_interval)
+    : campaign_hash(campaign_hash)
+    , sync_interval(sync_interval)
     , last_sync(std::chrono::steady_clock::now())
   {
     // Only one of all writers can create a file: no lock is needed.
@@ -52,22 +62,9 @@ namespace Waker
           throw_cannot_write(name, errno);
       }
 
-    const Machine                machine = this_machine();
-    const nlohmann::ordered_json header  = {{"schema_version",
-                                             journal_schema_version},
-                                            {"campaign", campaign_hash},
-                                            {"version", machine.version},
-                                            {"compiler", machine.compiler},
-                                            {"build_flags", machine.build_flags},
-                                            {"host", machine.host},
-                                            {"processor", machine.processor},
-                                            {"cores", machine.n_cores},
-                                            {"start", utc_time()}};
     try
       {
-        // A host may have any name.
-        write_line(header.dump(
-          -1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+        write_line(journal_header_line(campaign_hash));
       }
     catch (...)
       {
@@ -91,7 +88,7 @@ namespace Waker
   void
   JournalWriter::append(const Record &record)
   {
-    write_line(to_json(record));
+    write_line(journal_line(record, campaign_hash));
 
     const auto now = std::chrono::steady_clock::now();
     if (sync_interval >= 0. &&

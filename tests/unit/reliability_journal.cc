@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/base/hash.h>
 #include <waker/reliability/journal.h>
 
 #include "output_temporary_folder.h"
@@ -29,6 +30,14 @@ namespace Waker
 
     std::string
     line(const std::uint64_t i)
+    {
+      return journal_line(synthetic_record(0, i), hash) + "\n";
+    }
+
+
+    /// Without a checksum, as earlier versions wrote it.
+    std::string
+    plain_line(const std::uint64_t i)
     {
       return to_json(synthetic_record(0, i)) + "\n";
     }
@@ -160,7 +169,7 @@ namespace Waker
     append(journal(folder), line(2).substr(30));
     const std::vector<Record> last = reader.poll();
     ASSERT_EQ(last.size(), 1u);
-    EXPECT_EQ(to_json(last[0]) + "\n", line(2));
+    EXPECT_EQ(to_json(last[0]) + "\n", plain_line(2));
     EXPECT_EQ(reader.counts().n_truncated, 0u);
     EXPECT_EQ(reader.counts().n_records, 3u);
   }
@@ -181,8 +190,7 @@ namespace Waker
     EXPECT_EQ(contents.counts.n_damaged, 3u); // one is empty
     ASSERT_EQ(contents.counts.remarks.size(), 3u);
     EXPECT_EQ(contents.counts.remarks[0],
-              "journal-00000.jsonl:3: cannot be read (not a JSON object); "
-              "dropped");
+              "journal-00000.jsonl:3: its checksum is wrong; dropped");
   }
 
 
@@ -195,7 +203,7 @@ namespace Waker
       other.append(synthetic_record(0, 1));
       other.append(synthetic_record(0, 2));
     }
-    put(journal(folder, 2), "not JSON\n" + line(3));
+    put(journal(folder, 2), "not JSON\n" + plain_line(3));
     put(journal(folder, 3), ""); // its writer was killed at once
     put(folder.file("journal.txt"), "mine\n");
 
@@ -213,13 +221,101 @@ namespace Waker
   }
 
 
+  // One flipped bit anywhere loses one line, which is counted, and changes
+  // none.
+  TEST(Reliability, journal_finds_every_flipped_bit)
+  {
+    const TemporaryFolder folder;
+    {
+      JournalWriter writer(folder.path, hash);
+      for (const std::uint64_t i : {0, 1, 2})
+        writer.append(synthetic_record(0, i));
+    }
+    const std::string   whole = get(journal(folder));
+    std::vector<Record> right = read_journals(folder.path, hash).records;
+    ASSERT_EQ(right.size(), 3u);
+    const std::size_t first = whole.find('\n') + 1;
+    // All bits of a line with numbers, and each seventh of the whole file.
+    const std::size_t second = whole.find('\n', first) + 1;
+    const std::size_t third  = whole.find('\n', second) + 1;
+    for (std::size_t bit = 0; bit < 8 * (whole.size() - 1); ++bit)
+      {
+        const std::size_t byte      = bit / 8;
+        const bool        is_second = byte >= second && byte < third;
+        if (!is_second && bit % 7 != 0)
+          continue;
+        std::string damaged = whole;
+        damaged[byte]       = static_cast<char>(damaged[byte] ^ (1 << bit % 8));
+        put(journal(folder), damaged);
+
+        const JournalContents contents = read_journals(folder.path, hash);
+        EXPECT_GE(contents.counts.n_damaged, 1u) << bit;
+        EXPECT_EQ(contents.counts.remarks.empty(), false) << bit;
+        // An end of line that is lost takes two with it.
+        EXPECT_GE(contents.records.size(), 1u) << bit;
+        if (byte < first - 1)
+          {
+            EXPECT_EQ(contents.records.size(), 3u) << bit;
+          }
+        else if (damaged[byte] != '\n' && whole[byte] != '\n')
+          {
+            EXPECT_EQ(contents.records.size(), 2u) << bit;
+          }
+        for (const Record &record : contents.records)
+          EXPECT_EQ(fingerprint(record),
+                    fingerprint(right.at(record.realisation)))
+            << bit;
+      }
+  }
+
+
+  TEST(Reliability, journal_without_checksums_must_hold_possible_values)
+  {
+    const TemporaryFolder folder;
+    std::string           line = plain_line(1);
+    const std::string     key  = "\"residual_height\":";
+    line.insert(line.find(key) + key.size(), "1" + std::string(20, '0'));
+    put(journal(folder),
+        "{\"schema_version\":1,\"campaign\":\"0123abcd\"}\n" + plain_line(0) +
+          line);
+    const JournalContents contents = read_journals(folder.path, hash);
+    ASSERT_EQ(contents.records.size(), 1u);
+    EXPECT_EQ(contents.counts.n_damaged, 1u);
+    ASSERT_EQ(contents.counts.remarks.size(), 1u);
+    EXPECT_NE(
+      contents.counts.remarks[0].find(
+        "journal-00000.jsonl:3: cannot be read (\"residual_height\" is "),
+      std::string::npos)
+      << contents.counts.remarks[0];
+  }
+
+
+  TEST(Reliability, journal_whose_first_line_is_damaged_is_known_by_its_lines)
+  {
+    const TemporaryFolder folder;
+    JournalWriter(folder.path, hash).append(synthetic_record(0, 1));
+    std::string text = get(journal(folder));
+    text[2] ^= 1;
+    put(journal(folder),
+        text + journal_line(synthetic_record(0, 2), "ffff") + "\n");
+    const JournalContents contents = read_journals(folder.path, hash);
+    ASSERT_EQ(contents.records.size(), 1u);
+    EXPECT_EQ(contents.records[0].realisation, 1u);
+    EXPECT_EQ(contents.counts.n_damaged, 1u);
+    EXPECT_EQ(contents.counts.n_foreign, 1u);
+    EXPECT_EQ(contents.counts.n_journals, 1u);
+    ASSERT_EQ(contents.counts.machines.size(), 1u);
+    EXPECT_EQ(contents.counts.machines[0].machine.host, "unknown");
+    EXPECT_EQ(contents.counts.machines[0].start, "unknown");
+  }
+
+
   TEST(Reliability, journal_of_a_newer_version_is_refused)
   {
     const TemporaryFolder folder;
     JournalWriter(folder.path, hash).append(synthetic_record(0, 0));
-    std::string text = get(journal(folder));
-    text.replace(text.find("\"schema_version\":1"), 18, "\"schema_version\":2");
-    put(journal(folder), text);
+    put(journal(folder),
+        sealed(R"({"schema_version":3,"campaign":"0123abcd"})", "") + "\n");
     try
       {
         read_journals(folder.path, hash);
@@ -331,7 +427,7 @@ namespace Waker
         EXPECT_GE(contents.records.size(), n_finished);
         EXPECT_LE(contents.records.size(), n_finished + 1);
         for (std::size_t i = 0; i < contents.records.size(); ++i)
-          EXPECT_EQ(to_json(contents.records[i]) + "\n", line(i));
+          EXPECT_EQ(to_json(contents.records[i]) + "\n", plain_line(i));
       }
   }
 
@@ -365,12 +461,12 @@ namespace Waker
     put(journal(folder, 2),
         R"({"schema_version":1,"campaign":"0123abcd","version":"0.1.0"})"
         "\n" +
-          line(4));
+          plain_line(4));
     put(journal(folder, 3),
         R"({"schema_version":1,"campaign":"0123abcd","version":"0.1.0",)"
         R"("host":"aa","cores":"many","later":{}})"
         "\n" +
-          line(5) + line(6));
+          plain_line(5) + plain_line(6));
     contents = read_journals(folder.path, hash);
     EXPECT_EQ(contents.records.size(), 7u);
     EXPECT_TRUE(contents.counts.remarks.empty());
@@ -430,7 +526,7 @@ namespace Waker
     const JournalContents contents = read_journals(folder.path, hash);
     ASSERT_EQ(contents.records.size(), static_cast<std::size_t>(exit - 9));
     for (std::size_t i = 0; i < contents.records.size(); ++i)
-      EXPECT_EQ(to_json(contents.records[i]) + "\n", line(i));
+      EXPECT_EQ(to_json(contents.records[i]) + "\n", plain_line(i));
     EXPECT_TRUE(contents.counts.remarks.empty());
   }
 

@@ -299,10 +299,35 @@ namespace Waker
     EXPECT_EQ(problem(), "");
     put(path, good.substr(0, good.size() / 2));
     EXPECT_EQ(problem(), "is not JSON: damaged, or of something else");
-    put(path, replaced(good, "\"seed\"", "\"need\""));
+    for (const auto &[from, to] :
+         std::vector<std::pair<std::string, std::string>>{
+           {"\"seed\"", "\"need\""},
+           {"\"water_level\": 4.5", "\"water_level\": 5.5"},
+           {"\"schema_version\": 2", "\"schema_version\": 3"},
+           {"\"schema_version\": 2", "\"schema_version\": 0"},
+           {"\"crc\"", "\"csc\""}})
+      {
+        put(path, replaced(good, from, to));
+        EXPECT_EQ(problem(), "is damaged: its checksum is wrong") << to;
+      }
+    // How the values are laid out does not matter.
+    put(path, replaced(good, "\n  \"seed\"", "\n\"seed\""));
+    EXPECT_EQ(problem(), "");
+
+    // An earlier version wrote no checksum, a later one writes what it likes.
+    const auto without = [&](const std::string &version) {
+      std::string       text = replaced(good, "\"schema_version\": 2", version);
+      const std::size_t at   = text.find(",\n  \"crc\"");
+      return text.substr(0, at) + "}";
+    };
+    put(path, without("\"schema_version\": 1"));
+    EXPECT_EQ(problem(), "");
+    put(path, replaced(without("\"schema_version\": 1"), "\"seed\"", "\"x\""));
     EXPECT_NE(problem().find("'seed' not found"), std::string::npos)
       << problem();
-    put(path, replaced(good, "\"schema_version\": 1", "\"schema_version\": 2"));
+    CampaignInfo later   = synthetic_campaign();
+    later.schema_version = 3;
+    later.write(path);
     EXPECT_NE(problem().find("newer version"), std::string::npos) << problem();
 
     CampaignInfo empty = synthetic_campaign();

@@ -24,7 +24,7 @@ namespace Waker
    */
   struct CampaignInfo
   {
-    static constexpr unsigned int current_schema_version = 1;
+    static constexpr unsigned int current_schema_version = 2; // 1: no checksum
 
     unsigned int              schema_version = current_schema_version;
     std::string               version; // of the program
@@ -40,7 +40,8 @@ namespace Waker
     void
     write(const std::string &path) const;
 
-    /// @throws UserError with the path: missing, damaged, newer schema
+    /// @throws UserError with the path: missing, damaged (its checksum tells),
+    /// newer schema
     static CampaignInfo
     read(const std::string &path);
   };

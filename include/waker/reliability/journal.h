@@ -14,8 +14,14 @@
 
 namespace Waker
 {
-  /// Of the lines of a journal; a test keeps the earlier ones readable.
-  constexpr unsigned int journal_schema_version = 1;
+  /// Of the lines of a journal; a test keeps the earlier ones readable. 1:
+  /// lines without checksums.
+  constexpr unsigned int journal_schema_version = 2;
+
+  /// The line of a record, without its end: JSON with a checksum that includes
+  /// the hash of the campaign, so that a line proves whose it is.
+  std::string
+  journal_line(const Record &record, const std::string &campaign_hash);
 
   /**
    * A file journal-NNNNN.jsonl of its own in the folder of a campaign: a line
@@ -78,8 +84,10 @@ namespace Waker
     std::uint64_t n_journals  = 0; // of this campaign
     std::uint64_t n_records   = 0; // kept
     std::uint64_t n_truncated = 0; // last lines without an end
-    std::uint64_t n_damaged   = 0; // whole lines that cannot be read
-    std::uint64_t n_foreign   = 0; // lines in journals of other campaigns
+    /// Whole lines that cannot be read, whose checksum is wrong, or whose
+    /// values are impossible.
+    std::uint64_t n_damaged = 0;
+    std::uint64_t n_foreign = 0; // lines in journals of other campaigns
     /// Of a realisation that had been read before, with the same result.
     std::uint64_t n_repeated = 0;
     /// The same, with another result: the first one in order of file is kept.
@@ -119,13 +127,24 @@ namespace Waker
     counts() const;
 
   private:
+    /// What its first line says.
+    enum class Kind
+    {
+      unknown, // not read yet
+      plain,   // lines without checksums, schema version 1
+      checked, // each line must have its checksum
+      damaged, // the first line: a line is ours if its checksum fits
+      foreign  // of another campaign
+    };
+
     struct Journal
     {
       MachineUse    use;
       std::uint64_t position = 0;     // behind the last whole line, bytes
       std::uint64_t size     = 0;     // when last looked at, bytes
       std::uint64_t n_lines  = 0;     // read
-      bool          is_ours  = false; // known after the first line
+      bool          is_ours  = false; // has lines of this campaign
+      Kind          kind     = Kind::unknown;
     };
 
     void
@@ -137,6 +156,12 @@ namespace Waker
     read_header(const std::string &name,
                 const std::string &line,
                 Journal           &journal);
+
+    void
+    read_line(const std::string   &place,
+              const std::string   &line,
+              Journal             &journal,
+              std::vector<Record> &records);
 
     void
     read_record(const std::string   &place,

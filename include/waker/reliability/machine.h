@@ -29,7 +29,7 @@ namespace Waker
   struct MachineUse
   {
     Machine       machine;
-    std::string   start; // of the earliest journal, UTC, ISO 8601; or unknown
+    std::string   start = "unknown"; // of the earliest journal, UTC, ISO 8601
     std::uint64_t n_journals     = 0;
     std::uint64_t n_realisations = 0;
     double        wall_time      = 0.; // sum over these realisations, s
