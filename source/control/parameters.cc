@@ -2,6 +2,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <waker/base/checks.h>
+#include <waker/base/errors.h>
 #include <waker/control/parameters.h>
 
 namespace Waker
@@ -10,25 +11,41 @@ namespace Waker
   InitialFailureParameters::add_parameters(ParameterHandler &prm)
   {
     prm.add_parameter("Width change",
-                      width_change,
+                      limits.width_change,
                       "A dyke has failed initially when its width at the water "
                       "level differs from the first detected one by more than "
                       "this (m), above 0. The reading of the thesis counts a "
-                      "loss of width only; both are recorded.",
+                      "loss of width only; all readings are recorded.",
                       Patterns::Double(0.));
     prm.add_parameter("Height loss",
-                      height_loss,
+                      limits.height_loss,
                       "Or when its height has dropped by more than this (m), "
                       "above 0.",
                       Patterns::Double(0.));
+    prm.add_parameter("Displacement",
+                      limits.distance,
+                      "Or when a connected body has moved further than the "
+                      "rest of the soil by more than this (m), on average and "
+                      "since t = 0; above 0.",
+                      Patterns::Double(0.));
+    prm.add_parameter("Share of the profile",
+                      limits.share,
+                      "... and the body is larger than this share (-) of the "
+                      "whole profile, foundation included; below 1.",
+                      Patterns::Double(0., 1.));
   }
 
 
   void
   InitialFailureParameters::check() const
   {
-    require_positive("Initial failure/Width change", width_change);
-    require_positive("Initial failure/Height loss", height_loss);
+    require_positive("Initial failure/Width change", limits.width_change);
+    require_positive("Initial failure/Height loss", limits.height_loss);
+    require_positive("Initial failure/Displacement", limits.distance);
+    if (!(limits.share < 1.))
+      throw UserError("Initial failure/Share of the profile",
+                      "is " + std::to_string(limits.share),
+                      "at least 0 and below 1");
   }
 
 

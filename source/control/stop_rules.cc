@@ -45,7 +45,8 @@ namespace Waker
 
     if (parameters.on_flooding && failure.flooded())
       return StopReason::flooding;
-    if (parameters.on_initial_failure && failure.failed())
+    if (parameters.on_initial_failure &&
+        failure.time_of(parameters.reading) >= 0.)
       return StopReason::initial_failure;
     if (parameters.at_rest && rests &&
         time - rest.since >= parameters.rest_duration)

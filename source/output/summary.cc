@@ -69,7 +69,46 @@ namespace Waker
     }
 
 
-    /// Call f(key, member) for each member, in the order of the file.
+    Json
+    to_json(const std::optional<SlideSummary> &slide)
+    {
+      if (!slide)
+        return nullptr;
+      return {{"time", to_json(slide->time)},
+              {"area", to_json(slide->area)},
+              {"share", to_json(slide->share)},
+              {"crest_cut", to_json(slide->crest_cut)}};
+    }
+
+
+    void
+    from_json(const Json &json, std::optional<SlideSummary> &slide)
+    {
+      slide.reset();
+      if (json.is_null())
+        return;
+      slide.emplace();
+      from_json(json.at("time"), slide->time);
+      from_json(json.at("area"), slide->area);
+      from_json(json.at("share"), slide->share);
+      from_json(json.at("crest_cut"), slide->crest_cut);
+    }
+
+
+    /// Call f(key, member) for each member that older summaries do not have.
+    template <typename Self, typename Function>
+    void
+    for_each_later_member(Self &s, const Function &f)
+    {
+      f("initial_failure_time_displacement",
+        s.initial_failure_time_displacement);
+      f("slope", s.slope);
+      f("inner_slide", s.inner_slide);
+      f("outer_slide", s.outer_slide);
+    }
+
+
+    /// Call f(key, member) for each of the others, in the order of the file.
     template <typename Self, typename Function>
     void
     for_each_member(Self &s, const Function &f)
@@ -113,10 +152,12 @@ namespace Waker
   void
   Summary::write(const std::string &path) const
   {
-    Json json = Json::object();
-    for_each_member(*this, [&](const char *const key, const auto &member) {
+    Json       json = Json::object();
+    const auto put  = [&](const char *const key, const auto &member) {
       json[key] = to_json(member);
-    });
+    };
+    for_each_member(*this, put);
+    for_each_later_member(*this, put);
     write_file(path, json.dump(2) + "\n");
   }
 
@@ -137,6 +178,11 @@ namespace Waker
         for_each_member(summary, [&](const char *const key, auto &member) {
           from_json(json.at(key), member);
         });
+        for_each_later_member(summary,
+                              [&](const char *const key, auto &member) {
+                                if (json.contains(key))
+                                  from_json(json.at(key), member);
+                              });
       }
     catch (const nlohmann::json::exception &e)
       {

@@ -25,10 +25,11 @@ namespace Waker
     }
 
 
-    bool
-    failed(const Record &record)
+    /// Of a slope that has not slid there is nothing to say.
+    double
+    of_slide(const SlopeSlide &slide, const double MovingBody::*const member)
     {
-      return record.initial_time >= 0.;
+      return slide.time < 0. ? nan : slide.body.*member;
     }
 
 
@@ -40,12 +41,62 @@ namespace Waker
   const std::vector<Column<AnalysedRecord, double>> real_columns = {
     {"initial_failure_time",
      "s",
-     "time of initial failure",
+     "time of initial failure by width or height",
      [](const A &a) { return time_or_nan(a.record->initial_time); }},
     {"initial_failure_time_thesis",
      "s",
      "time at which the width is first below the initial one",
      [](const A &a) { return time_or_nan(a.record->initial_time_thesis); }},
+    {"initial_failure_time_displacement",
+     "s",
+     "time at which a body is first seen to have moved",
+     [](const A &a) {
+       return time_or_nan(a.record->time_of(FailureReading::by_displacement));
+     }},
+    {"inner_slide_time",
+     "s",
+     "time at which a slide of the inner slope is seen, by displacement",
+     [](const A &a) { return time_or_nan(a.record->inner_slide.time); }},
+    {"inner_slide_area",
+     "m2",
+     "area of its body then",
+     [](const A &a) {
+       return of_slide(a.record->inner_slide, &MovingBody::area);
+     }},
+    {"inner_slide_share",
+     "1",
+     "share of the profile that this is",
+     [](const A &a) {
+       return of_slide(a.record->inner_slide, &MovingBody::share);
+     }},
+    {"inner_slide_crest_cut",
+     "m",
+     "x at which it cuts the crest",
+     [](const A &a) {
+       return of_slide(a.record->inner_slide, &MovingBody::crest_cut);
+     }},
+    {"outer_slide_time",
+     "s",
+     "time at which a slide of the outer slope is seen, by displacement",
+     [](const A &a) { return time_or_nan(a.record->outer_slide.time); }},
+    {"outer_slide_area",
+     "m2",
+     "area of its body then",
+     [](const A &a) {
+       return of_slide(a.record->outer_slide, &MovingBody::area);
+     }},
+    {"outer_slide_share",
+     "1",
+     "share of the profile that this is",
+     [](const A &a) {
+       return of_slide(a.record->outer_slide, &MovingBody::share);
+     }},
+    {"outer_slide_crest_cut",
+     "m",
+     "x at which it cuts the crest",
+     [](const A &a) {
+       return of_slide(a.record->outer_slide, &MovingBody::crest_cut);
+     }},
     {"flooding_time",
      "s",
      "time of flooding",
@@ -115,7 +166,7 @@ namespace Waker
      "m2",
      "area of soil moved inward by more than 0.5 m, 1 s after initial failure",
      [](const A &a) {
-       return failed(*a.record) ? a.record->first_inward.area : nan;
+       return a.record->failed() ? a.record->first_inward.area : nan;
      }},
     {"first_inward_dx",
      "m",
@@ -133,7 +184,7 @@ namespace Waker
      "m2",
      "area of soil moved outward by more than 0.5 m, 1 s after initial failure",
      [](const A &a) {
-       return failed(*a.record) ? a.record->first_outward.area : nan;
+       return a.record->failed() ? a.record->first_outward.area : nan;
      }},
     {"first_outward_dx",
      "m",

@@ -19,14 +19,23 @@ namespace Waker
     }
 
 
+    /// Was the reading by displacement made? Not by version 0.1.
+    bool
+    watches_slopes(const Record &record)
+    {
+      return !std::isnan(record.inner_slide.time);
+    }
+
+
     /// Moments of an event, sorted.
+    template <typename Time>
     std::vector<double>
-    event_times(const std::vector<Record> &records, double Record::*const time)
+    event_times(const std::vector<Record> &records, const Time &time)
     {
       std::vector<double> times;
       for (const Record &record : records)
-        if (counts(record) && record.*time >= 0.)
-          times.push_back(record.*time);
+        if (counts(record) && time(record) >= 0.)
+          times.push_back(time(record));
       std::sort(times.begin(), times.end());
       return times;
     }
@@ -45,26 +54,49 @@ namespace Waker
   estimate(const std::vector<Record> &records)
   {
     ScenarioEstimate result;
-    std::uint64_t    n_initial = 0, n_initial_by_width = 0, n_flooding = 0;
+    const auto       with = [&](const FailureReading reading) {
+      std::uint64_t n_initial = 0, n_flooding = 0, n_both = 0, n = 0;
+      for (const Record &record : records)
+        if (counts(record) && (reading != FailureReading::by_displacement ||
+                               watches_slopes(record)))
+          {
+            const bool fails = record.time_of(reading) >= 0.;
+            ++n;
+            n_initial += fails;
+            n_flooding += record.flooded();
+            n_both += fails && record.flooded();
+          }
+      return Estimate{proportion(n_initial, n),
+                      proportion(n_flooding, n),
+                      proportion(n_both, n_initial)};
+    };
+    result.by_any          = with(FailureReading::any);
+    result.by_geometry     = with(FailureReading::by_geometry);
+    result.by_width        = with(FailureReading::by_width);
+    result.by_displacement = with(FailureReading::by_displacement);
+
+    std::uint64_t n_inner = 0, n_outer = 0, n_watched = 0;
     std::uint64_t n_initial_then_numerical = 0, n_flooding_then_numerical = 0;
     for (const Record &record : records)
       if (counts(record))
         {
           ++result.n;
-          n_initial += record.initial_time >= 0.;
-          n_initial_by_width += record.initial_time_thesis >= 0.;
-          n_flooding += record.flooding_time >= 0.;
+          n_watched += watches_slopes(record);
+          n_inner += record.inner_slide.time >= 0.;
+          n_outer += record.outer_slide.time >= 0.;
         }
       else
         {
           ++result.n_numerical;
-          n_initial_then_numerical += record.initial_time >= 0.;
-          n_flooding_then_numerical += record.flooding_time >= 0.;
+          n_initial_then_numerical += record.failed();
+          n_flooding_then_numerical += record.flooded();
         }
+    result.inner_slides = proportion(n_inner, n_watched);
+    result.outer_slides = proportion(n_outer, n_watched);
 
-    const std::uint64_t all = result.n + result.n_numerical;
-    result.by_geometry      = make_estimate(n_initial, n_flooding, result.n);
-    result.by_width = make_estimate(n_initial_by_width, n_flooding, result.n);
+    const std::uint64_t all        = result.n + result.n_numerical;
+    const std::uint64_t n_initial  = result.by_any.initial.count;
+    const std::uint64_t n_flooding = result.by_any.flooding.count;
     result.if_all_failed = make_estimate(n_initial + result.n_numerical,
                                          n_flooding + result.n_numerical,
                                          all);
@@ -89,9 +121,12 @@ namespace Waker
           end = std::max({end, record.end_time, record.flooding_time});
         }
     const std::vector<double> initial =
-      event_times(records, &Record::initial_time);
+      event_times(records, [](const Record &record) {
+        return record.time_of(FailureReading::any);
+      });
     const std::vector<double> flooding =
-      event_times(records, &Record::flooding_time);
+      event_times(records,
+                  [](const Record &record) { return record.flooding_time; });
 
     std::vector<double> times = {0., end};
     times.insert(times.end(), initial.begin(), initial.end());
@@ -138,8 +173,8 @@ namespace Waker
     double       next = 1.;
     for (std::size_t i = 0; i < ordered.size(); ++i)
       {
-        n_initial += ordered[i]->initial_time >= 0.;
-        n_flooding += ordered[i]->flooding_time >= 0.;
+        n_initial += ordered[i]->failed();
+        n_flooding += ordered[i]->flooded();
         const double number = i + 1.;
         if (number < next && i + 1 < ordered.size())
           continue;

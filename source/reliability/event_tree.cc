@@ -30,7 +30,7 @@ namespace Waker
       if (counts(records[i]))
         {
           const bool floods = records[i].flooding_time >= 0.;
-          const bool fails  = floods || records[i].initial_time >= 0.;
+          const bool fails  = floods || records[i].failed();
           const auto n      = static_cast<unsigned int>(slides[i].size());
           sequences.push_back({std::max(n, fails ? 1U : 0U), floods});
         }

@@ -117,8 +117,8 @@ namespace Waker
         if (e.n > 0)
           points.push_back({scenario.water_level,
                             scenario.crest_level - scenario.water_level,
-                            e.by_geometry.initial,
-                            e.by_geometry.flooding});
+                            e.by_any.initial,
+                            e.by_any.flooding});
       }
     std::sort(points.begin(), points.end(), [](const auto &a, const auto &b) {
       return a.water_level < b.water_level;

@@ -7,8 +7,8 @@ namespace Waker
 {
   Event::Event(const Record &record)
     : numerical_failure(record.outcome == Outcome::numerical_failure)
-    , initial_failure(!numerical_failure && record.initial_time >= 0.)
-    , flooding(!numerical_failure && record.flooding_time >= 0.)
+    , initial_failure(!numerical_failure && record.failed())
+    , flooding(!numerical_failure && record.flooded())
   {}
 
 

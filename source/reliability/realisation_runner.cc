@@ -106,7 +106,7 @@ namespace Waker
     State<dim>                       &state,
     Record                           &record) const
   {
-    const bool       inner_is_positive = parameters.water.side != "right";
+    const bool       inner_is_positive = parameters.water.inner_direction() > 0;
     Realisation<dim> realisation(the_case, state);
     Tracer           tracer;
     bool             looked = false; // at the first slide
@@ -119,7 +119,8 @@ namespace Waker
             tracer.add(state.time, failure.geometry);
             if (!looked && failure.failed() &&
                 (stop != StopReason::none ||
-                 state.time >= failure.initial_time + first_look))
+                 state.time >=
+                   failure.time_of(FailureReading::any) + first_look))
               {
                 looked = true;
                 record.first_inward =
@@ -146,9 +147,7 @@ namespace Waker
         record.stop_reason = failure.what();
       }
 
-    record.initial_time        = state.failure.initial_time;
-    record.initial_time_thesis = state.failure.initial_time_thesis;
-    record.flooding_time       = state.failure.flooding_time;
+    static_cast<FailureEvents &>(record) = state.failure;
     record.end_time            = state.time;
     record.initial_width       = state.failure.initial_width;
     record.initial_height      = state.failure.initial_height;

@@ -45,6 +45,8 @@ namespace Waker
       f("linear_iterations", s.linear_iterations, count);
       f("unconverged_steps", s.unconverged_steps, count);
       f("trace", s.trace, any);
+      f("inner_slide", s.inner_slide, any);
+      f("outer_slide", s.outer_slide, any);
     }
 
 

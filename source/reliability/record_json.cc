@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/reliability/record_json.h>
 
+#include <cmath>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
@@ -91,6 +92,18 @@ namespace Waker
       return Json::array({json_of(soil.area, Plausible::area),
                           json_of(soil.dx, Plausible::length),
                           json_of(soil.dy, Plausible::length)});
+    }
+
+
+    Json
+    json_of(const SlopeSlide &slide, const PlausibleRange &)
+    {
+      const MovingBody &body = slide.body;
+      return Json::array({json_of(slide.time, Plausible::event_time),
+                          json_of(body.area, Plausible::area),
+                          json_of(body.share, Plausible::share),
+                          json_of(body.distance, Plausible::length),
+                          json_of(body.crest_cut, Plausible::length)});
     }
 
 
@@ -202,6 +215,22 @@ namespace Waker
     read(const Json &json,
          const char *key,
          const PlausibleRange &,
+         SlopeSlide &slide)
+    {
+      if (!json.is_array() || json.size() != 5)
+        throw_wrong(key, "does not hold five numbers");
+      read(json[0], key, Plausible::event_time, slide.time);
+      read(json[1], key, Plausible::area, slide.body.area);
+      read(json[2], key, Plausible::share, slide.body.share);
+      read(json[3], key, Plausible::length, slide.body.distance);
+      read(json[4], key, Plausible::length, slide.body.crest_cut);
+    }
+
+
+    void
+    read(const Json &json,
+         const char *key,
+         const PlausibleRange &,
          std::vector<TracePoint> &trace)
     {
       if (!json.is_array())
@@ -218,11 +247,51 @@ namespace Waker
 
 
     void
+    put(Json                 &line,
+        const char *const     key,
+        const PlausibleRange &range,
+        const SlopeSlide     &slide)
+    {
+      if (!std::isnan(slide.time))
+        line.push_back({key, json_of(slide, range)});
+    }
+
+
+    void
+    take(const Json           &line,
+         const char *const     key,
+         const PlausibleRange &range,
+         SlopeSlide           &slide)
+    {
+      const auto found = line.find(key);
+      slide            = SlopeSlide();
+      if (found != line.end())
+        read(*found, key, range, slide);
+      else
+        slide.time = std::numeric_limits<double>::quiet_NaN();
+    }
+
+
+    void
     Hash::add(const MovedSoil &soil)
     {
       add(soil.area);
       add(soil.dx);
       add(soil.dy);
+    }
+
+
+    void
+    Hash::add(const SlopeSlide &slide)
+    {
+      if (std::isnan(slide.time))
+        return;
+      add(slide.time);
+      add(slide.body.area);
+      add(slide.body.share);
+      add(slide.body.distance);
+      // All kinds of NaN are one.
+      add(std::isnan(slide.body.crest_cut) ? 1e300 : slide.body.crest_cut);
     }
 
 

@@ -110,11 +110,21 @@ namespace Waker
             text += "\n  no realisation yet";
             continue;
           }
-        text += line("P(S1)", e.by_geometry.initial);
-        if (e.by_width.initial.count != e.by_geometry.initial.count)
-          text += line("  W < W_i", e.by_width.initial);
-        text += line("P(F)", e.by_geometry.flooding);
-        text += line("P(F|S1)", e.by_geometry.flooding_given);
+        text += line("P(S1)", e.by_any.initial);
+        const std::pair<const char *, const Proportion *> readings[] = {
+          {"  W or H", &e.by_geometry.initial},
+          {"  W < W_i", &e.by_width.initial},
+          {"  moved", &e.by_displacement.initial}};
+        for (const auto &[name, p] : readings)
+          if (p->count != e.by_any.initial.count || p->n != e.n)
+            text += line(name, *p);
+        if (e.by_displacement.initial.count > 0)
+          {
+            text += line("  inner", e.inner_slides);
+            text += line("  outer", e.outer_slides);
+          }
+        text += line("P(F)", e.by_any.flooding);
+        text += line("P(F|S1)", e.by_any.flooding_given);
         for (const ClassCount &c :
              count_classes(*scenario.records, scenario.slides))
           if (c.failure_class != FailureClass::none && c.share.count > 0)

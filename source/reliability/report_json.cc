@@ -71,8 +71,12 @@ namespace Waker
       json["scales"]              = scenario.info->scales;
       json["n"]                   = e.n;
       json["n_numerical_failure"] = e.n_numerical;
+      json["by_any"]              = to_json(e.by_any);
       json["by_geometry"]         = to_json(e.by_geometry);
       json["by_width"]            = to_json(e.by_width);
+      json["by_displacement"]     = to_json(e.by_displacement);
+      json["inner_slides"]        = to_json(e.inner_slides);
+      json["outer_slides"]        = to_json(e.outer_slides);
       json["if_all_failed"]       = to_json(e.if_all_failed);
       json["if_none_failed"]      = to_json(e.if_none_failed);
       json["event_tree"]          = to_json(scenario.tree);
@@ -181,7 +185,7 @@ namespace Waker
         if (!distribution)
           {
             const Proportion f =
-              estimate(*scenario.records).by_geometry.flooding;
+              estimate(*scenario.records).by_any.flooding;
             entry["risk_given_level"] =
               risk_json({f.estimate, f.low, f.high}, parameters.risk);
           }

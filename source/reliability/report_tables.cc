@@ -91,7 +91,11 @@ namespace Waker
     {
       CsvTable table(
         "scenario,value,n,n_numerical_failure,n_S1" + titles_of("P_S1") +
-        ",n_S1_thesis" + titles_of("P_S1_thesis") + ",n_F" + titles_of("P_F") +
+        ",n_S1_geometry" + titles_of("P_S1_geometry") + ",n_S1_thesis" +
+        titles_of("P_S1_thesis") + ",n_S1_displacement" +
+        titles_of("P_S1_displacement") + ",n_inner_slide" +
+        titles_of("P_inner_slide") + ",n_outer_slide" +
+        titles_of("P_outer_slide") + ",n_F" + titles_of("P_F") +
         titles_of("P_F_given_S1") + titles_of("P_F_given_S1_thesis") +
         titles_of("P_S1_if_all_failed") + titles_of("P_F_if_all_failed") +
         titles_of("P_S1_if_none_failed") + titles_of("P_F_if_none_failed") +
@@ -99,18 +103,24 @@ namespace Waker
       for (std::size_t s = 0; s < scenarios.size(); ++s)
         {
           const ScenarioEstimate e = estimate(*scenarios[s].records);
-          const Proportion      &f = e.by_geometry.flooding;
+          const Proportion      &f = e.by_any.flooding;
           scenario_row(table, scenarios, s).cell(e.n).cell(e.n_numerical);
-          table.cell(e.by_geometry.initial.count).cells(e.by_geometry.initial);
-          table.cell(e.by_width.initial.count).cells(e.by_width.initial);
-          table.cell(f.count).cells(f).cells(e.by_geometry.flooding_given);
+          for (const Proportion &p : {e.by_any.initial,
+                                      e.by_geometry.initial,
+                                      e.by_width.initial,
+                                      e.by_displacement.initial,
+                                      e.inner_slides,
+                                      e.outer_slides,
+                                      f})
+            table.cell(p.count).cells(p);
+          table.cells(e.by_any.flooding_given);
           table.cells(e.by_width.flooding_given);
           table.cells(e.if_all_failed.initial);
           table.cells(e.if_all_failed.flooding);
           table.cells(e.if_none_failed.initial);
           table.cells(e.if_none_failed.flooding);
           table.cell(
-            coefficient_of_variation(e.by_geometry.initial.count, e.n));
+            coefficient_of_variation(e.by_any.initial.count, e.n));
           table.cell(coefficient_of_variation(f.count, e.n));
         }
       return table.finish();

@@ -148,6 +148,29 @@ namespace Waker
                       "The search by halving ends when the bracket is at most "
                       "this wide (-), above 0.",
                       Patterns::Double(0.));
+    prm.add_parameter("Reading",
+                      reading,
+                      "What initial failure is read off: displacement of a "
+                      "body, which sees every slide; width or height, which "
+                      "may miss some; width, the thesis's; or any, whichever "
+                      "of the first two comes first. Limits: section \"Initial "
+                      "failure\".",
+                      Patterns::Selection(
+                        "displacement|width or height|width|any"));
+  }
+
+
+  FailureReading
+  StrengthReductionParameters::failure_reading() const
+  {
+    if (reading == "displacement")
+      return FailureReading::by_displacement;
+    if (reading == "width or height")
+      return FailureReading::by_geometry;
+    if (reading == "width")
+      return FailureReading::by_width;
+    Assert(reading == "any", ExcInternalError());
+    return FailureReading::any;
   }
 
 

@@ -71,8 +71,12 @@ namespace Waker
                           state->time,
                           scene.water_level(state->time),
                           parameters.water.side != "none",
-                          {parameters.initial_failure.width_change,
-                           parameters.initial_failure.height_loss});
+                          parameters.initial_failure.limits);
+    state->failure.watch_slopes(state->points,
+                                the_case->grid,
+                                parameters.water.inner_direction(),
+                                state->time,
+                                parameters.initial_failure.limits);
     return decide(parameters.stop,
                   state->failure,
                   state->time,

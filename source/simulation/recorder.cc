@@ -83,6 +83,18 @@ namespace Waker
     {
       return t >= due * (1. - 1e-12);
     }
+
+
+    std::optional<SlideSummary>
+    slide_or_nothing(const SlopeSlide &slide)
+    {
+      if (slide.time < 0.)
+        return {};
+      SlideSummary summary{slide.time, slide.body.area, slide.body.share, {}};
+      if (!std::isnan(slide.body.crest_cut))
+        summary.crest_cut = slide.body.crest_cut;
+      return summary;
+    }
   } // namespace
 
 
@@ -274,6 +286,11 @@ namespace Waker
     summary.initial_failure_time = time_or_nothing(state.failure.initial_time);
     summary.initial_failure_time_thesis =
       time_or_nothing(state.failure.initial_time_thesis);
+    summary.initial_failure_time_displacement =
+      time_or_nothing(state.failure.time_of(FailureReading::by_displacement));
+    summary.slope             = state.failure.slope();
+    summary.inner_slide       = slide_or_nothing(state.failure.inner_slide);
+    summary.outer_slide       = slide_or_nothing(state.failure.outer_slide);
     summary.flooding_time     = time_or_nothing(state.failure.flooding_time);
     summary.initial_width     = state.failure.initial_width;
     summary.residual_width    = state.failure.geometry.width;

@@ -50,8 +50,31 @@ namespace Waker
                   const FailureRecord &now,
                   Log                 &log)
     {
-      char text[160];
-      if (now.failed() && !before.failed())
+      char text[200];
+      for (const bool inner : {true, false})
+        {
+          const SlopeSlide &slide = inner ? now.inner_slide : now.outer_slide;
+          if (slide.time < 0. ||
+              (inner ? before.inner_slide : before.outer_slide).time >= 0.)
+            continue;
+          char cut[60] = "leaves the crest alone";
+          if (!std::isnan(slide.body.crest_cut))
+            std::snprintf(cut,
+                          sizeof cut,
+                          "cuts the crest at x = %.2f m",
+                          slide.body.crest_cut);
+          std::snprintf(text,
+                        sizeof text,
+                        "t = %.3f s: slide of the %s slope (%.1f m^2, %.0f %% "
+                        "of the profile; %s)",
+                        slide.time,
+                        inner ? "inner" : "outer",
+                        slide.body.area,
+                        100. * slide.body.share,
+                        cut);
+          log.line(text);
+        }
+      if (now.initial_time >= 0. && before.initial_time < 0.)
         {
           std::snprintf(text,
                         sizeof text,

@@ -160,9 +160,13 @@ namespace Waker
             }
         }
       log.end_progress();
-      trial.failed  = state.failure.failed();
-      trial.time    = trial.failed ? state.failure.initial_time : state.time;
+      const double failure_time =
+        state.failure.time_of(the_case.parameters.stop.reading);
+      trial.failed  = failure_time >= 0.;
+      trial.time    = trial.failed ? failure_time : state.time;
       trial.outcome = to_string(stop);
+      if (!state.failure.slope().empty())
+        trial.outcome += " (" + state.failure.slope() + " slope)";
       return trial;
     }
 
@@ -248,6 +252,7 @@ namespace Waker
   {
     Parameters parameters              = given;
     parameters.stop.on_initial_failure = true;
+    parameters.stop.reading = parameters.strength_reduction.failure_reading();
 
     const std::string &directory = parameters.output.directory;
     const FolderMode   mode      = options.resume      ? FolderMode::resume

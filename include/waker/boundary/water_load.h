@@ -35,6 +35,13 @@ namespace Waker
     /// of a node inside the body.
     double minimum_support = 0.01;
 
+    /// Along x: +1 or -1, away from the water; +1 without water.
+    int
+    inner_direction() const
+    {
+      return side == "right" ? -1 : 1;
+    }
+
     void
     add_parameters(ParameterHandler &prm);
   };

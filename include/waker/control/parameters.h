@@ -2,6 +2,8 @@
 #ifndef waker_control_parameters_h
 #define waker_control_parameters_h
 
+#include <waker/observers/failure_record.h>
+
 namespace dealii
 {
   class ParameterHandler;
@@ -11,11 +13,10 @@ namespace Waker
 {
   using namespace dealii;
 
-  /// Section "Initial failure": when a slide counts (both readings recorded).
+  /// Section "Initial failure": when a slide counts (all readings recorded).
   struct InitialFailureParameters
   {
-    double width_change = 0.3; // m
-    double height_loss  = 0.1; // m
+    InitialFailureLimits limits;
 
     void
     add_parameters(ParameterHandler &prm);
@@ -33,8 +34,9 @@ namespace Waker
     double rest_plastic_strain = 1e-6; // mean increment per step
     double rest_velocity       = 0.05; // rms displacement rate, m/s
     double rest_duration       = 1.;   // s
-    /// Stop at initial failure (strength reduction does).
-    bool on_initial_failure = false;
+    /// Stop at initial failure (strength reduction does), in this reading.
+    bool           on_initial_failure = false;
+    FailureReading reading            = FailureReading::any;
 
     void
     add_parameters(ParameterHandler &prm);

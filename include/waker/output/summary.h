@@ -8,10 +8,19 @@
 
 namespace Waker
 {
+  /// A slide of one slope, as it was when it was seen (see SlopeSlide).
+  struct SlideSummary
+  {
+    double                time  = 0.; // s
+    double                area  = 0.; // m^2
+    double                share = 0.; // of the profile
+    std::optional<double> crest_cut;  // x, m; empty: it left the crest alone
+  };
+
   /**
    * What came out of a run: summary.json. Its keys are the names of the
-   * members; times that did not occur, and numbers that are not finite, are
-   * null.
+   * members; slides and times that did not occur, and numbers that are not
+   * finite, are null.
    */
   struct Summary
   {
@@ -24,10 +33,16 @@ namespace Waker
     /// Why the run ended, in words.
     std::string stop_reason;
 
-    /// Default and thesis's reading (see control/), s.
+    /// By width or height, by loss of width (the thesis's reading) and by
+    /// displacement (see FailureRecord), s.
     std::optional<double> initial_failure_time;
     std::optional<double> initial_failure_time_thesis;
-    std::optional<double> flooding_time;
+    std::optional<double> initial_failure_time_displacement;
+    /// The slopes that slid, by displacement: "inner", "outer", "both" or "".
+    std::string                 slope;
+    std::optional<SlideSummary> inner_slide;
+    std::optional<SlideSummary> outer_slide;
+    std::optional<double>       flooding_time;
 
     double initial_width   = 0.; // W_i, m
     double residual_width  = 0.; // W at the end, m

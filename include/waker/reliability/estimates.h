@@ -37,10 +37,18 @@ namespace Waker
   {
     std::uint64_t n           = 0; // realisations that count
     std::uint64_t n_numerical = 0; // numerical failures: not in n
-    /// Default reading of S1 (width or height has changed) ...
+    /// Any reading of S1 (see FailureEvents), which is what is meant where
+    /// none is named ...
+    Estimate by_any;
+    /// ... width or height ...
     Estimate by_geometry;
-    /// ... and the thesis's, W < W_i.
+    /// ... the thesis's, W < W_i ...
     Estimate by_width;
+    /// ... and displacement, with the slopes; of the realisations in which it
+    /// was watched (not in records of version 0.1).
+    Estimate   by_displacement;
+    Proportion inner_slides;
+    Proportion outer_slides;
     Estimate if_all_failed;
     Estimate if_none_failed;
   };

@@ -62,6 +62,9 @@ namespace Waker
    * 5. initial only (fig. 5.2a, b): one slide. With flooding this is the deep
    *    slide that floods directly.
    *
+   * A slide that only its displacement shows is an initial one, or an outer one
+   * if no other slope has slid.
+   *
    * A realisation that failed numerically is judged by what it did until then.
    *
    * @param slides find_slides() of the same record

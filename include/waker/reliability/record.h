@@ -2,6 +2,7 @@
 #ifndef waker_reliability_record_h
 #define waker_reliability_record_h
 
+#include <waker/observers/failure_record.h>
 #include <waker/observers/moved_soil.h>
 
 #include <cstdint>
@@ -37,9 +38,10 @@ namespace Waker
   /**
    * What a campaign keeps of one realisation: one line of JSON in a journal.
    * Times are -1 if the event did not occur. Members that the lines of earlier
-   * versions lack are std::optional (see record_json.h).
+   * versions lack are std::optional (see record_json.h); the slides by
+   * displacement, which those of version 0.1 lack, then have the time NaN.
    */
-  struct Record
+  struct Record : FailureEvents
   {
     unsigned int  scenario    = 0; // of the sweep; 0 without one
     std::uint64_t realisation = 0;
@@ -47,9 +49,6 @@ namespace Waker
     std::string   stop_reason;  // in words; of a numerical failure: what failed
     unsigned int  attempts = 1; // 2 and more: repeated with a smaller step
 
-    double initial_time        = -1.; // S1, default reading, s
-    double initial_time_thesis = -1.; // S1 as W < W_i, s
-    double flooding_time       = -1.; // s
     double end_time            = 0.;  // s
     double initial_width       = 0.;  // W_i, m
     double initial_height      = 0.;  // H_i, m

@@ -27,6 +27,7 @@ namespace Waker
     /// m; also of a level, which may be below datum. The earth is not larger.
     constexpr PlausibleRange length     = {-1e8, 1e8};
     constexpr PlausibleRange area       = {0., 1e12};      // m^2
+    constexpr PlausibleRange share      = {0., 1. + 1e-6}; // -
     constexpr PlausibleRange duration   = {0., 1e12};      // s
     constexpr PlausibleRange event_time = {-1., 1e12};     // s; -1: never
     constexpr PlausibleRange strength   = {-1e12, 1e12};   // kPa
@@ -60,6 +61,8 @@ namespace Waker
     json_of(const Outcome outcome, const PlausibleRange &);
     Json
     json_of(const MovedSoil &soil, const PlausibleRange &);
+    Json
+    json_of(const SlopeSlide &slide, const PlausibleRange &);
     Json
     json_of(const std::vector<TracePoint> &trace, const PlausibleRange &);
 
@@ -100,6 +103,11 @@ namespace Waker
          const char *key,
          const PlausibleRange &,
          MovedSoil &soil);
+    void
+    read(const Json &json,
+         const char *key,
+         const PlausibleRange &,
+         SlopeSlide &slide);
     void
     read(const Json &json,
          const char *key,
@@ -161,6 +169,19 @@ namespace Waker
     }
 
 
+    /// The lines of version 0.1 have no slides: their time is then NaN.
+    void
+    put(Json                 &line,
+        const char *const     key,
+        const PlausibleRange &range,
+        const SlopeSlide     &slide);
+    void
+    take(const Json           &line,
+         const char *const     key,
+         const PlausibleRange &range,
+         SlopeSlide           &slide);
+
+
     /// Of the members that have a value.
     class Hash
     {
@@ -174,6 +195,9 @@ namespace Waker
 
       void
       add(const MovedSoil &soil);
+
+      void
+      add(const SlopeSlide &slide);
 
       void
       add(const std::vector<TracePoint> &trace);
