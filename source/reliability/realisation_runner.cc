@@ -148,13 +148,13 @@ namespace Waker
       }
 
     static_cast<FailureEvents &>(record) = state.failure;
-    record.end_time            = state.time;
-    record.initial_width       = state.failure.initial_width;
-    record.initial_height      = state.failure.initial_height;
-    record.residual_width      = state.failure.geometry.width;
-    record.residual_height     = state.failure.geometry.height;
-    record.inward              = moved_soil(state.points, inner_is_positive);
-    record.outward             = moved_soil(state.points, !inner_is_positive);
+    record.end_time                      = state.time;
+    record.initial_width                 = state.failure.initial_width;
+    record.initial_height                = state.failure.initial_height;
+    record.residual_width                = state.failure.geometry.width;
+    record.residual_height               = state.failure.geometry.height;
+    record.inward  = moved_soil(state.points, inner_is_positive);
+    record.outward = moved_soil(state.points, !inner_is_positive);
     record.steps += state.step;
     record.newton_iterations += state.newton_iterations;
     record.linear_iterations += state.linear_iterations;

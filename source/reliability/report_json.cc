@@ -184,8 +184,7 @@ namespace Waker
         Json entry = scenario_json(scenario);
         if (!distribution)
           {
-            const Proportion f =
-              estimate(*scenario.records).by_any.flooding;
+            const Proportion f = estimate(*scenario.records).by_any.flooding;
             entry["risk_given_level"] =
               risk_json({f.estimate, f.low, f.high}, parameters.risk);
           }

@@ -119,8 +119,7 @@ namespace Waker
           table.cells(e.if_all_failed.flooding);
           table.cells(e.if_none_failed.initial);
           table.cells(e.if_none_failed.flooding);
-          table.cell(
-            coefficient_of_variation(e.by_any.initial.count, e.n));
+          table.cell(coefficient_of_variation(e.by_any.initial.count, e.n));
           table.cell(coefficient_of_variation(f.count, e.n));
         }
       return table.finish();

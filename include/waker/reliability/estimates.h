@@ -49,8 +49,8 @@ namespace Waker
     Estimate   by_displacement;
     Proportion inner_slides;
     Proportion outer_slides;
-    Estimate if_all_failed;
-    Estimate if_none_failed;
+    Estimate   if_all_failed;
+    Estimate   if_none_failed;
   };
 
   /// One row of a table against time or number of realisations.

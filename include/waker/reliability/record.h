@@ -49,11 +49,11 @@ namespace Waker
     std::string   stop_reason;  // in words; of a numerical failure: what failed
     unsigned int  attempts = 1; // 2 and more: repeated with a smaller step
 
-    double end_time            = 0.;  // s
-    double initial_width       = 0.;  // W_i, m
-    double initial_height      = 0.;  // H_i, m
-    double residual_width      = 0.;  // W_r, at the end, m
-    double residual_height     = 0.;  // H_r, m
+    double end_time        = 0.; // s
+    double initial_width   = 0.; // W_i, m
+    double initial_height  = 0.; // H_i, m
+    double residual_width  = 0.; // W_r, at the end, m
+    double residual_height = 0.; // H_r, m
 
     /// At the end; inner side is where the water is not (positive x if the
     /// water stands on the left).
