@@ -103,7 +103,7 @@ class Runs:
 
 class Nodes:
     """The nodes of a grid file: `position` and one array per field. The files
-    hold single precision: 6e-8 of the value is round-off."""
+    hold fields in single precision: 6e-8 of the value is round-off."""
 
     def __init__(self, run, time=None):
         mesh = meshio.read(run.frame(time, "grid")[1])

@@ -13,6 +13,7 @@ stands below the body.
 import os
 import sys
 
+import numpy as np
 from paraview import servermanager
 from paraview.simple import *  # noqa: F403 (that is how pvbatch is used)
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -111,7 +112,6 @@ def main():
                      + ", ".join(choices(fields)))
         display = Show(points, view)
         display.SetRepresentationType("Points")
-        display.PointSize = 4.0
         colour(display, choice, field, view,
                choice not in fields or fields[choice].ndim == 2)
 
@@ -136,8 +136,12 @@ def main():
             lines.LineWidth = width
 
     if not is_empty:
-        low, high = ([points.GetDataInformation().GetBounds()[2 * d + k]
-                      for d in range(3)] for k in (0, 1))
+        shown = [points.GetDataInformation().GetBounds()]
+        if os.path.exists(surface_file) \
+                and surface.GetDataInformation().GetNumberOfPoints() > 0:
+            shown.append(surface.GetDataInformation().GetBounds())
+        low = [min(b[2 * d] for b in shown) for d in range(3)]
+        high = [max(b[2 * d + 1] for b in shown) for d in range(3)]
         height = max((high[1] - low[1]) / (BODY_HIGH - BODY_LOW),
                      (high[0] - low[0]) / BODY_WIDTH
                      * view.ViewSize[1] / view.ViewSize[0], 1e-6)
@@ -148,6 +152,10 @@ def main():
         view.CameraPosition = [centre[0], centre[1],
                                high[2] + 10.0 * height + 1.0]
         view.CameraParallelScale = 0.5 * height
+        # As large as the soil that they stand for.
+        in_space = high[2] > low[2]
+        side = np.mean(fields["volume"]) ** (1 / 3 if in_space else 1 / 2)
+        display.PointSize = max(2.0, 0.9 * side / height * view.ViewSize[1])
     SaveScreenshot(picture, view)
     print(f"{picture}: t = {time:g} s")
 

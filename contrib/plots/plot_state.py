@@ -191,6 +191,8 @@ def plot(run, frame, choice, output, dpi):
     axes.set_ylim(base - 0.2, top + 0.5)
     axes.set_aspect("equal")
     axes.ticklabel_format(useOffset=False)  # real coordinates, also far away
+    if max(abs(x_min), abs(x_max)) >= 1e4:
+        axes.locator_params(axis="x", nbins=5)  # they are long
     axes.set_xlabel("x (m)")
     axes.set_ylabel("y (m)")
     title = f"t = {time:.2f} s"

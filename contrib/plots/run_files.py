@@ -87,7 +87,7 @@ class Field:
         self.label = name.replace("_", " ")
         if is_vector and component is None:
             values = np.linalg.norm(values.astype(float), axis=1)
-            self.label = f"|{self.label}|"
+            self.label += ", size"
         elif is_vector:
             values = values[:, component]
             self.label += f", {COMPONENTS[component]}"

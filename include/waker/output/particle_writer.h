@@ -37,7 +37,8 @@ namespace Waker
    * replaced by underscores: plastic_strain, undrained_shear_strength, ...; and
    * `vectors`.
    *
-   * Numbers are stored in single precision: these files are for looking.
+   * Positions are stored in double precision, fields in single, id and
+   * material as whole numbers: these files are for looking.
    *
    * @param time of the state (s), stored in the file
    */
