@@ -174,6 +174,12 @@ traction 'level below the surface' 'Level' '-1' 'no part of the surface' \
   --set 'Tractions/load/Kind=hydrostatic'
 traction 'nothing there' 'Method' 'contour' 'no part of the surface' \
   --set 'Tractions/load/From=-5, 3' --set 'Tractions/load/To=-4, 4'
+traction 'a liquid on soil' 'Follows' 'soil' 'liquid' \
+  --set 'Tractions/load/Kind=hydrostatic' --set 'Tractions/load/Level=1'
+traction 'nodes on soil' 'Follows' 'soil' '"surface nodes"' \
+  --set 'Tractions/load/Method=surface nodes'
+traction 'fixed points in space' 'Follows' 'space' 'fixed points' \
+  --set 'Tractions/load/Method=fixed points'
 traction 'half a box' 'From' '1, 1, 1' '3 numbers' \
   --set 'Tractions/load/To=2, 2'
 check 'level without a surface' 'Tractions/load/Level' 'is empty' -- \
