@@ -96,6 +96,17 @@ namespace Waker
   }
 
 
+  template <int dim>
+  bool
+  Expression<dim>::varies(const Point<dim> &x,
+                          const double      from,
+                          const double      to) const
+  {
+    return moving &&
+           Waker::varies([&](const double t) { return value(x, t); }, from, to);
+  }
+
+
   template class Expression<2>;
   template class Expression<3>;
 } // namespace Waker

@@ -100,4 +100,30 @@ namespace Waker
   {
     return expression != nullptr || table.size() > 1;
   }
+
+
+  double
+  TimeFunction::last_change() const
+  {
+    if (expression)
+      return expression->last_change();
+    for (std::size_t i = table.size(); i-- > 1;)
+      if (table[i].second != table[i - 1].second)
+        return table[i].first;
+    return LastChange::never;
+  }
+
+
+  bool
+  TimeFunction::varies(const double from, const double to) const
+  {
+    if (expression)
+      return expression->varies(Point<2>(), from, to);
+    const double start = value(from);
+    return value(to) != start ||
+           std::any_of(table.begin(), table.end(), [&](const auto &entry) {
+             return entry.first > from && entry.first < to &&
+                    entry.second != start;
+           });
+  }
 } // namespace Waker

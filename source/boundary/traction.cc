@@ -170,6 +170,41 @@ namespace Waker
   }
 
 
+  template <int dim>
+  double
+  Traction<dim>::last_change() const
+  {
+    double last = level.last_change();
+    for (const Expression<dim> &expression : expressions)
+      last = std::max(last, expression.last_change());
+    return last;
+  }
+
+
+  template <int dim>
+  bool
+  Traction<dim>::varies(const Facets<dim> &surface,
+                        const double       from,
+                        const double       to) const
+  {
+    if (level.varies(from, to))
+      return true;
+    // A hundred of the facets will do.
+    const std::size_t stride = surface.size() / 100 + 1;
+    for (const Expression<dim> &expression : expressions)
+      {
+        if (expression.is_uniform() &&
+            expression.varies(Point<dim>(), from, to))
+          return true;
+        for (std::size_t f = 0; f < surface.size() && !expression.is_uniform();
+             f += stride)
+          if (expression.varies(surface[f].vertices[0], from, to))
+            return true;
+      }
+    return false;
+  }
+
+
   template class Traction<2>;
   template class Traction<3>;
 } // namespace Waker

@@ -82,6 +82,30 @@ namespace Waker
 
 
   template <int dim>
+  double
+  Tractions<dim>::last_change() const
+  {
+    double last = LastChange::never;
+    for (const Item &item : items)
+      if (item.parameters.method != "fixed points")
+        last = std::max(last, item.traction.last_change());
+    return last;
+  }
+
+
+  template <int dim>
+  std::string
+  Tractions<dim>::varying(const double from, const double to) const
+  {
+    for (const Item &item : items)
+      if (item.parameters.method != "fixed points" &&
+          item.traction.varies(item.part, from, to))
+        return "Tractions/" + item.parameters.name;
+    return "";
+  }
+
+
+  template <int dim>
   void
   Tractions<dim>::find(const MaterialPoints<dim>  &points,
                        const SurfaceVertices<dim> &vertices,

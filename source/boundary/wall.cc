@@ -101,6 +101,30 @@ namespace Waker
 
 
   template <int dim>
+  double
+  Walls<dim>::last_change() const
+  {
+    double last = LastChange::never;
+    for (const Wall &wall : walls)
+      for (const Expression<dim> &u : wall.motion)
+        last = std::max(last, u.last_change());
+    return last;
+  }
+
+
+  template <int dim>
+  std::string
+  Walls<dim>::varying(const double from, const double to) const
+  {
+    for (std::size_t w = 0; w < walls.size(); ++w)
+      for (const Expression<dim> &u : walls[w].motion)
+        if (u.varies(Point<dim>(), from, to))
+          return "Walls/" + wall_names[w];
+    return "";
+  }
+
+
+  template <int dim>
   Tensor<1, dim>
   Walls<dim>::value(const Contact &contact, const NodalVector &u) const
   {

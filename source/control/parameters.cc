@@ -3,7 +3,12 @@
 
 #include <waker/base/checks.h>
 #include <waker/base/errors.h>
+#include <waker/base/last_change.h>
+#include <waker/base/text.h>
 #include <waker/control/parameters.h>
+
+#include <cmath>
+#include <cstdlib>
 
 namespace Waker
 {
@@ -77,6 +82,16 @@ namespace Waker
                       "Both must be below their limits for this time (s), "
                       "above 0.",
                       Patterns::Double(0.));
+    prm.add_parameter(
+      "Loads constant from",
+      loads_constant_from,
+      "No dyke is at rest while its loads change: the time counts from their "
+      "last change. Of a table it is known. Water, tractions, walls and "
+      "boundary conditions that are expressions of t may change at any time, "
+      "so that such a run goes on to its end time, unless this is the time "
+      "(s) from which all of them are constant. It is tried at 1000 moments "
+      "up to the end time. \"unknown\": no such time.",
+      Patterns::Anything());
     prm.add_parameter("On initial failure",
                       on_initial_failure,
                       "Stop at initial failure (a strength reduction does).",
@@ -90,5 +105,22 @@ namespace Waker
     require_positive("Stop rules/Rest plastic strain", rest_plastic_strain);
     require_positive("Stop rules/Rest velocity", rest_velocity);
     require_positive("Stop rules/Rest duration", rest_duration);
+    declared_last_change();
+  }
+
+
+  double
+  StopParameters::declared_last_change() const
+  {
+    const std::string text = tidy(loads_constant_from);
+    if (text == "unknown")
+      return LastChange::unknown;
+    char        *end  = nullptr;
+    const double time = std::strtod(text.c_str(), &end);
+    if (text.empty() || *end != '\0' || !std::isfinite(time) || time < 0.)
+      throw UserError("Stop rules/Loads constant from",
+                      "is \"" + text + "\"",
+                      "a time of at least 0 s, or unknown");
+    return time;
   }
 } // namespace Waker

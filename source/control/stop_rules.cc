@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/control/stop_rules.h>
 
+#include <algorithm>
+
 namespace Waker
 {
   std::string
@@ -31,6 +33,7 @@ namespace Waker
          const double          time,
          const double          end_time,
          const double          settling_time,
+         const double          last_load_change,
          const double          mean_plastic_strain,
          const double          displacement_rate,
          RestRecord           &rest)
@@ -49,7 +52,8 @@ namespace Waker
         failure.time_of(parameters.reading) >= 0.)
       return StopReason::initial_failure;
     if (parameters.at_rest && rests &&
-        time - rest.since >= parameters.rest_duration)
+        time - std::max(rest.since, last_load_change) >=
+          parameters.rest_duration)
       return failure.failed() ? StopReason::failed_at_rest
                               : StopReason::stable_at_rest;
     // Round-off in the sum of the steps must not add a step.

@@ -119,6 +119,7 @@ namespace Waker
     };
 
     std::vector<Expression<dim>> expressions;
+    std::vector<std::string>     paths; // of their conditions
     std::vector<Moved>           removed;
     std::vector<Moved>           penalised;
 
@@ -194,6 +195,7 @@ namespace Waker
                     continue;
                   hold.expression[c] = motion->expressions.size();
                   motion->expressions.push_back(std::move(expression));
+                  motion->paths.push_back("Boundary conditions/" + fixity.name);
                 }
           }
 
@@ -262,6 +264,40 @@ namespace Waker
 
   template <int dim>
   Fixities<dim>::Fixities(Fixities &&) = default;
+
+
+  template <int dim>
+  double
+  Fixities<dim>::last_change() const
+  {
+    return moves ? LastChange::unknown : LastChange::never;
+  }
+
+
+  template <int dim>
+  std::string
+  Fixities<dim>::varying(const double from, const double to) const
+  {
+    for (const auto *const list : {&motion->removed, &motion->penalised})
+      {
+        // A hundred of the dofs will do; where the displacement is the same
+        // everywhere, the first of each expression.
+        const std::size_t stride = list->size() / 100 + 1;
+        std::vector<char> seen(motion->expressions.size(), 0);
+        for (std::size_t i = 0; i < list->size(); ++i)
+          {
+            const auto            &moved = (*list)[i];
+            const Expression<dim> &u = motion->expressions[moved.expression];
+            char                  &is_seen = seen[moved.expression];
+            if (is_seen && (u.is_uniform() || i % stride != 0))
+              continue;
+            is_seen = 1;
+            if (u.varies(moved.x, from, to))
+              return motion->paths[moved.expression];
+          }
+      }
+    return "";
+  }
 
 
   template <int dim>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/base/text.h>
 #include <waker/mapping/stencil.h>
 #include <waker/mapping/transfer.h>
 #include <waker/mechanics/deformation.h>
@@ -84,6 +85,27 @@ namespace Waker
 
 
   template <int dim>
+  double
+  Case<dim>::declared_last_load_change(const Scene<dim> &scene) const
+  {
+    const double declared = parameters.stop.declared_last_change();
+    if (declared != LastChange::unknown)
+      {
+        const std::string path =
+          scene.varying_load(declared,
+                             std::max(declared, parameters.time.end_time));
+        if (!path.empty())
+          throw UserError("Stop rules/Loads constant from",
+                          "is " + tidy(parameters.stop.loads_constant_from) +
+                            " s, but " + path +
+                            " changes between then and the end time",
+                          "a time after which no load changes, or unknown");
+      }
+    return scene.last_load_change(declared);
+  }
+
+
+  template <int dim>
   void
   Case<dim>::set_initial_state()
   {
@@ -91,6 +113,7 @@ namespace Waker
     Scene<dim>           scene(*this);
     scene.set(points);
     scene.tractions.check_something_is_loaded();
+    last_load_change = declared_last_load_change(scene);
     scene.tractions.fix_point_loads(points);
     scene.tractions.ride(points, riding_loads);
     for (std::size_t i = 0; i < scene.tractions.size(); ++i)
@@ -209,6 +232,38 @@ namespace Waker
   Scene<dim>::loads_move() const
   {
     return water_rise.moves() || tractions.moves();
+  }
+
+
+  template <int dim>
+  double
+  Scene<dim>::last_load_change(const double unknown) const
+  {
+    double last = LastChange::never;
+    for (const double change :
+         {the_case->parameters.water.side != "none" ? water_rise.last_change()
+                                                    : LastChange::never,
+          tractions.last_change(),
+          walls.last_change(),
+          the_case->fixities.last_change()})
+      last = std::max(last, change == LastChange::unknown ? unknown : change);
+    return last;
+  }
+
+
+  template <int dim>
+  std::string
+  Scene<dim>::varying_load(const double from, const double to) const
+  {
+    if (the_case->parameters.water.side != "none" &&
+        water_rise.varies(from, to))
+      return "Water/Rise";
+    for (const std::string &path : {tractions.varying(from, to),
+                                    walls.varying(from, to),
+                                    the_case->fixities.varying(from, to)})
+      if (!path.empty())
+        return path;
+    return "";
   }
 
 

@@ -117,6 +117,18 @@ namespace Waker
             dim == 2 ? "m" : "m^2",
             rides ? "goes with the soil" : "stays in space");
       }
+    if (the_case.last_load_change == LastChange::unknown)
+      say(log,
+          "  loads     change with an expression of t, perhaps to the end: "
+          "the run goes on to %g s (see Stop rules/Loads constant from)",
+          p.time.end_time);
+    else if (the_case.last_load_change > p.time.end_time)
+      say(log,
+          "  WARNING   loads change until t = %g s, after the end time %g s",
+          the_case.last_load_change,
+          p.time.end_time);
+    else if (the_case.last_load_change > 0.)
+      say(log, "  loads     change until t = %g s", the_case.last_load_change);
     if (p.points.points_per_direction == 1)
       say(log,
           "  WARNING   one point per cell and direction: stresses will be "

@@ -82,6 +82,7 @@ namespace Waker
                   state->time,
                   parameters.time.end_time,
                   parameters.time.ramp_duration,
+                  the_case->last_load_change,
                   state->mean_plastic_strain,
                   state->displacement_rate,
                   state->rest);

@@ -190,6 +190,10 @@ check 'unnamed traction' '^--set Tractions/Names' 'no subsection' -- \
   --set 'Tractions/load/Value=1'
 set_value 'gaps as wide as domains' 'Surface/Minimum gap width' 1 '1'
 set_value 'rise' 'Water/Rise' '0: 0, 2' 'no pair'
+set_value 'constant from when?' 'Stop rules/Loads constant from' soon 'soon'
+check 'loads that are not constant' '^--set Stop rules/Loads constant from' \
+  'Water/Rise changes' -- run "$good" --set 'Water/Rise=0.01*t' \
+  --set 'Stop rules/Loads constant from=5'
 check 'point load nowhere' '^--set Point loads/p/From' 'no point' -- \
   run "$good" --set 'Point loads/Names=p' --set 'Point loads/p/Force=0, 1' \
   --set 'Point loads/p/From=-5, 3' --set 'Point loads/p/To=-4, 4'

@@ -69,6 +69,30 @@ TEST(Base, time_function_of_a_table)
 }
 
 
+TEST(Base, time_function_knows_when_it_changes_last)
+{
+  EXPECT_EQ(TimeFunction(3.5).last_change(), LastChange::never);
+  EXPECT_EQ(TimeFunction("2: 7", "").last_change(), LastChange::never);
+  EXPECT_EQ(TimeFunction("0: 7, 5: 7", "").last_change(), LastChange::never);
+  EXPECT_EQ(TimeFunction("0: 0, 5: 0, 10: 2", "").last_change(), 10.);
+  EXPECT_EQ(TimeFunction("0: 0, 5: 1, 10: 1, 11: 1", "").last_change(), 5.);
+  EXPECT_EQ(TimeFunction("min(t, 5)", "").last_change(), LastChange::unknown);
+
+  const TimeFunction table("0: 0, 5: 0, 6: 2, 7: 0, 9: 0", "");
+  EXPECT_FALSE(table.varies(0., 5.));
+  EXPECT_TRUE(table.varies(0., 5.5));
+  EXPECT_TRUE(table.varies(4., 8.)); // a peak between equal ends
+  EXPECT_FALSE(table.varies(7., 99.));
+
+  const TimeFunction ramp("min(t, 5)", "");
+  EXPECT_TRUE(ramp.varies(4.9, 20.));
+  EXPECT_FALSE(ramp.varies(5., 20.));
+  EXPECT_FALSE(TimeFunction("2*(1 - exp(-t))", "").varies(20., 40.));
+  EXPECT_TRUE(TimeFunction("t < 7 ? 1 : 1/0", "").varies(5., 8.));
+  EXPECT_TRUE(TimeFunction("0.001*t", "").varies(39., 40.));
+}
+
+
 TEST(Base, time_function_refuses_what_it_cannot_read)
 {
   EXPECT_NE(complaint("").find("empty"), std::string::npos);

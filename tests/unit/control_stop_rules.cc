@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/last_change.h>
 #include <waker/control/stop_rules.h>
 
 #include <gtest/gtest.h>
@@ -34,9 +35,18 @@ namespace
                           const double         rate,
                           const FailureRecord &failure = {})
     {
-      return decide(
-        parameters, failure, time, 40., 1., plastic_strain, rate, rest);
+      return decide(parameters,
+                    failure,
+                    time,
+                    40.,
+                    1.,
+                    last_load_change,
+                    plastic_strain,
+                    rate,
+                    rest);
     }
+
+    double last_load_change = LastChange::never;
 
     StopParameters parameters;
     RestRecord     rest;
@@ -139,6 +149,27 @@ TEST(Control, the_end_time_is_met_in_spite_of_round_off)
   EXPECT_EQ(rules(40. - 1e-13, plastic, fast), StopReason::end_time);
   EXPECT_EQ(rules(39.99, plastic, fast), StopReason::none);
   EXPECT_EQ(rules(40.01, plastic, fast), StopReason::end_time);
+}
+
+
+TEST(Control, no_rest_before_the_loads_are_constant)
+{
+  Rules rules;
+  rules.last_load_change = 5.;
+  EXPECT_EQ(rules(2., still, slow), StopReason::none);
+  EXPECT_EQ(rules(5., still, slow), StopReason::none);
+  EXPECT_EQ(rules(5.95, still, slow), StopReason::none);
+  EXPECT_EQ(rules.rest.since, 2.);
+  EXPECT_EQ(rules(6., still, slow), StopReason::stable_at_rest);
+  EXPECT_EQ(rules(6., still, slow, failed_at(3.)), StopReason::failed_at_rest);
+  // What moves after that rests later.
+  EXPECT_EQ(rules(7., still, fast), StopReason::none);
+  EXPECT_EQ(rules(8., still, slow), StopReason::none);
+  EXPECT_EQ(rules(9., still, slow), StopReason::stable_at_rest);
+
+  rules.last_load_change = LastChange::unknown;
+  EXPECT_EQ(rules(39., still, slow), StopReason::none);
+  EXPECT_EQ(rules(40., still, slow), StopReason::end_time);
 }
 
 

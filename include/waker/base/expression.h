@@ -4,6 +4,8 @@
 
 #include <deal.II/base/point.h>
 
+#include <waker/base/last_change.h>
+
 #include <memory>
 #include <string>
 
@@ -50,6 +52,17 @@ namespace Waker
     {
       return moving;
     }
+
+    /// The last time at which it changes (s): LastChange::never or unknown.
+    double
+    last_change() const
+    {
+      return moving ? LastChange::unknown : LastChange::never;
+    }
+
+    /// Does it change at x between two times? See Waker::varies().
+    bool
+    varies(const Point<dim> &x, const double from, const double to) const;
 
     /// Is it the same everywhere?
     bool

@@ -36,6 +36,17 @@ namespace Waker
     bool
     moves() const;
 
+    /// The last time at which its value changes (s): of a table the end of the
+    /// last line that is not level; LastChange::never of a constant,
+    /// LastChange::unknown of an expression.
+    double
+    last_change() const;
+
+    /// Does it change between two times? A table: exactly; an expression: see
+    /// Waker::varies().
+    bool
+    varies(const double from, const double to) const;
+
   private:
     std::vector<std::pair<double, double>> table;      // time, value; ascending
     std::shared_ptr<const Expression<2>>   expression; // or null

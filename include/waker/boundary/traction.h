@@ -65,6 +65,16 @@ namespace Waker
     bool
     moves() const;
 
+    /// The last time at which its values change (s): see LastChange.
+    double
+    last_change() const;
+
+    /// Do its values on a surface change between two times?
+    bool
+    varies(const Facets<dim> &surface,
+           const double       from,
+           const double       to) const;
+
     bool
     is_hydrostatic() const
     {

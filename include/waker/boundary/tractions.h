@@ -77,6 +77,15 @@ namespace Waker
     bool
     moves() const;
 
+    /// The last time at which one of them changes (s): see LastChange.
+    double
+    last_change() const;
+
+    /// The path of one that changes between two times on the surfaces found
+    /// last; empty if none does.
+    std::string
+    varying(const double from, const double to) const;
+
     /**
      * Find the surfaces as the points lie.
      *

@@ -89,6 +89,14 @@ namespace Waker
     void
     set_step(const double t, const double dt);
 
+    /// The last time at which one of them moves (s): see LastChange.
+    double
+    last_change() const;
+
+    /// The path of one that moves between two times; empty if none does.
+    std::string
+    varying(const double from, const double to) const;
+
     /// internal -= the force of the walls for an increment (kN)
     void
     add_internal_force(const NodalVector &increment,

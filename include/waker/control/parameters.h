@@ -4,6 +4,8 @@
 
 #include <waker/observers/failure_record.h>
 
+#include <string>
+
 namespace dealii
 {
   class ParameterHandler;
@@ -37,6 +39,14 @@ namespace Waker
     /// Stop at initial failure (strength reduction does), in this reading.
     bool           on_initial_failure = false;
     FailureReading reading            = FailureReading::any;
+    /// The user's word that no load that is an expression of t changes after
+    /// this time (s), or "unknown".
+    std::string loads_constant_from = "unknown";
+
+    /// `loads_constant_from` (s); LastChange::unknown if it is not known.
+    /// @throws UserError "Stop rules/Loads constant from"
+    double
+    declared_last_change() const;
 
     void
     add_parameters(ParameterHandler &prm);

@@ -43,6 +43,8 @@ namespace Waker
    * @param mean_plastic_strain increment of the last step
    * @param displacement_rate rms, m/s
    * @param settling_time rest counts only after it (the residual ramp, s)
+   * @param last_load_change no rest ends a run before the loads have been
+   *        constant for the rest duration (s, see LastChange)
    */
   StopReason
   decide(const StopParameters &parameters,
@@ -50,6 +52,7 @@ namespace Waker
          const double          time,
          const double          end_time,
          const double          settling_time,
+         const double          last_load_change,
          const double          mean_plastic_strain,
          const double          displacement_rate,
          RestRecord           &rest);

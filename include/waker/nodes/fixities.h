@@ -110,6 +110,14 @@ namespace Waker
       return moves;
     }
 
+    /// The last time at which one of them moves (s): see LastChange.
+    double
+    last_change() const;
+
+    /// The path of one that moves between two times; empty if none does.
+    std::string
+    varying(const double from, const double to) const;
+
     /// Increments u(t + dt) - u(t) of the removed dofs (in the order of
     /// removed_list()), m. All zero, and cheap, where nothing moves.
     void

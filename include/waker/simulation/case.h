@@ -19,6 +19,10 @@
 
 namespace Waker
 {
+  template <int dim>
+  class Scene;
+
+
   /**
    * What all realisations of one dyke share, and none changes: grid,
    * materials, supports, and the points with their in-situ stress.
@@ -50,8 +54,14 @@ namespace Waker
     /// Of the tractions, one each.
     std::vector<typename Tractions<dim>::Resultant> initial_tractions;
     GravityReport                                   gravity_report;
+    /// The last time at which a load changes (s): as known from the loads, or
+    /// as the user says; see LastChange.
+    double last_load_change = LastChange::never;
 
   private:
+    double
+    declared_last_load_change(const Scene<dim> &scene) const;
+
     void
     set_initial_state();
   };
@@ -90,6 +100,17 @@ namespace Waker
     /// Do loads change in time even if the points do not move?
     bool
     loads_move() const;
+
+    /// The last time at which one of water, tractions, walls and boundary
+    /// conditions changes (s). Those of which it is not known count as
+    /// `unknown`.
+    double
+    last_load_change(const double unknown = LastChange::unknown) const;
+
+    /// The path of a load that changes between two times on the surfaces found
+    /// last; empty if none does.
+    std::string
+    varying_load(const double from, const double to) const;
 
     /// Weight, water, tractions and point loads at a time (s), on the surfaces
     /// found last: the nodes' external force.

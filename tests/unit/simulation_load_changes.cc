@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/errors.h>
+#include <waker/program/parameter_reader.h>
+#include <waker/simulation/realisation.h>
+
+#include "loaded_bar.h"
+#include <gtest/gtest.h>
+
+// Loads that change later keep a run alive.
+
+using namespace Waker;
+
+namespace
+{
+  /// An elastic block of 3 x 1 m on rollers against the right end of its box,
+  /// with water of 0.25 m on its left that rises as `rise` says.
+  struct BlockInWater
+  {
+    explicit BlockInWater(const std::string &rise)
+      : bar(3.)
+    {
+      Parameters &p              = bar.parameters;
+      p.layers[0].initial_stress = "";
+      p.fixities[1].name         = "right"; // instead of the top
+      p.fixities[1].region       = "right";
+      p.surface.method           = "contour";
+      p.water.side               = "left";
+      p.water.level              = 0.25;
+      p.water.rise               = rise;
+      p.time.time_step           = 0.05;
+      p.time.end_time            = 8.;
+    }
+
+    StopReason
+    run()
+    {
+      const Case<2> the_case(bar.parameters, MPI_COMM_SELF);
+      state = initial_state(the_case);
+      Realisation<2> realisation(the_case, state);
+      StopReason     stop;
+      while ((stop = realisation.look()) == StopReason::none)
+        realisation.advance();
+      return stop;
+    }
+
+    LoadedBar bar;
+    State<2>  state;
+  };
+
+
+  double
+  last_change(const Parameters &parameters)
+  {
+    return Case<2>(parameters, MPI_COMM_SELF).last_load_change;
+  }
+
+
+  std::string
+  complaint(const Parameters &parameters)
+  {
+    try
+      {
+        const Case<2> the_case(parameters, MPI_COMM_SELF);
+      }
+    catch (const UserError &error)
+      {
+        return error.where + ": " + error.what;
+      }
+    return "";
+  }
+} // namespace
+
+
+TEST(Simulation, water_that_rises_later_floods_the_dyke)
+{
+  // Without a rise it would be over after the ramp and a second of rest.
+  BlockInWater still("0");
+  EXPECT_EQ(still.run(), StopReason::stable_at_rest);
+  EXPECT_NEAR(still.state.time, 2.05, 0.051);
+
+  // 1 m is reached at 3.75 s.
+  BlockInWater rising("0: 0, 3: 0, 4: 1");
+  EXPECT_EQ(rising.run(), StopReason::flooding);
+  EXPECT_NEAR(rising.state.failure.flooding_time, 3.75, 0.051);
+
+  // The same as an expression, of which nobody knows when it ends.
+  BlockInWater expression("t < 3 ? 0 : min(t - 3, 1)");
+  EXPECT_EQ(expression.run(), StopReason::flooding);
+  EXPECT_NEAR(expression.state.failure.flooding_time, 3.75, 0.051);
+}
+
+
+TEST(Simulation, rest_counts_from_the_last_change_of_a_load)
+{
+  BlockInWater table("0: 0, 3: 0, 4: 0.1, 9: 0.1");
+  EXPECT_EQ(table.run(), StopReason::stable_at_rest);
+  EXPECT_NEAR(table.state.time, 5., 0.051);
+
+  BlockInWater expression("t < 3 ? 0 : 0.1*min(t - 3, 1)");
+  EXPECT_EQ(expression.run(), StopReason::end_time);
+  expression.bar.parameters.stop.loads_constant_from = "4.5";
+  EXPECT_EQ(expression.run(), StopReason::stable_at_rest);
+  EXPECT_NEAR(expression.state.time, 5.5, 0.051);
+
+  // A word that is not true is refused.
+  expression.bar.parameters.stop.loads_constant_from = "3.5";
+  EXPECT_EQ(complaint(expression.bar.parameters)
+              .find("Stop rules/Loads constant from: is 3.5 s, but Water/Rise "
+                    "changes"),
+            0u);
+  table.bar.parameters.stop.loads_constant_from = "3.5";
+  EXPECT_NE(complaint(table.bar.parameters), "");
+  for (const char *const text : {"", "soon", "-1", "1e999", "4 s"})
+    {
+      expression.bar.parameters.stop.loads_constant_from = text;
+      EXPECT_THROW(expression.bar.parameters.stop.check(), UserError) << text;
+    }
+}
+
+
+TEST(Simulation, every_kind_of_load_says_when_it_changes_last)
+{
+  LoadedBar   bar(1.);
+  Parameters &p = bar.parameters;
+  bar.load("contour");
+  EXPECT_EQ(last_change(p), LastChange::never);
+
+  // Without water nothing rises.
+  p.water.rise = "0: 0, 9: 1";
+  EXPECT_EQ(last_change(p), LastChange::never);
+  p.water.rise = "0";
+
+  TractionParameters &traction = p.tractions[0];
+  traction.kind                = "hydrostatic";
+  traction.level               = "0: 1, 5: 2, 6: 2";
+  EXPECT_EQ(last_change(p), 5.);
+  traction.kind  = "vector";
+  traction.value = "1; t*x";
+  EXPECT_EQ(last_change(p), LastChange::unknown);
+  p.stop.loads_constant_from = "6"; // not true at any place but x = 0
+  EXPECT_NE(complaint(p).find("Tractions/contour changes"), std::string::npos);
+  traction.value = "1; x*min(t, 5)";
+  EXPECT_EQ(last_change(p), 6.);
+  p.stop.loads_constant_from = "unknown";
+
+  // What was fixed at the start changes no more.
+  traction.method       = "fixed points";
+  traction.surface_file = bar.folder.file("bar");
+  EXPECT_EQ(last_change(p), LastChange::never);
+
+  FixityParameters push;
+  push.name         = "push";
+  push.region       = "left";
+  push.type         = "prescribed";
+  push.displacement = "0; free";
+  p.fixities.push_back(push);
+  EXPECT_EQ(last_change(p), LastChange::never);
+  p.fixities.back().displacement = "0.001*y*t; free";
+  EXPECT_EQ(last_change(p), LastChange::unknown);
+  p.stop.loads_constant_from = "6";
+  EXPECT_NE(complaint(p).find("Boundary conditions/push changes"),
+            std::string::npos);
+  p.fixities.back().displacement = "0.001*y*min(t, 5); free";
+  EXPECT_EQ(last_change(p), 6.);
+  p.fixities.back().method = "penalty";
+  EXPECT_EQ(last_change(p), 6.);
+}
+
+
+TEST(Simulation, walls_and_inflows_are_loads_that_change)
+{
+  const auto of_file = [](const std::string              &name,
+                          const std::vector<std::string> &settings) {
+    return read_parameters(WAKER_SOURCE_DIRECTORY "/parameters/chapter3/" +
+                             name,
+                           settings);
+  };
+  EXPECT_EQ(last_change(*of_file("inclined_wall.prm", {})),
+            LastChange::unknown);
+  EXPECT_EQ(last_change(
+              *of_file("inclined_wall.prm", {"Walls/face/Displacement="})),
+            LastChange::never);
+  EXPECT_NE(complaint(*of_file("inclined_wall.prm",
+                               {"Stop rules/Loads constant from=0"}))
+              .find("Walls/face changes"),
+            std::string::npos);
+  EXPECT_EQ(last_change(*of_file("flow.prm", {})), LastChange::unknown);
+  EXPECT_NE(complaint(
+              *of_file("flow.prm", {"Stop rules/Loads constant from=0"}))
+              .find("Inflow/mouth changes"),
+            std::string::npos);
+}
