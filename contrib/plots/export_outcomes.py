@@ -28,7 +28,8 @@ LIMIT = 1_000_000  # bytes
 COLUMNS = ("scenario", "realisation", "outcome", "initial_failure_time",
            "flooding_time", "residual_width", "residual_height", "class")
 NOTES = (
-    "outcome: 0 stable, 1 initial failure, 2 flooding, 3 numerical failure",
+    "outcome: 0 stable, 1 initial failure, 2 flooding, 3 numerical failure, "
+    "4 still moving, 5 loads still change, 6 stopped by the box",
     "class: 0 none, 1 initial only, 2 retrogressive, 3 horizontal, 4 outer",
     "times in s, width and height in m",
 )

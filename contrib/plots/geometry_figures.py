@@ -114,10 +114,15 @@ def figure_5_9(files, all_scenarios):
             (campaign.STABLE, "stable (left out)", "#DDDDDD"),
             (campaign.INITIAL_FAILURE, "in (a) and (b)", look.BLUE),
             (campaign.FLOODING, "flooded (left out)", look.VERMILLION),
-            (campaign.NUMERICAL_FAILURE, "numerical failure", "black")):
+            (campaign.NUMERICAL_FAILURE, "numerical failure", "black"),
+            (campaign.STILL_MOVING, "still moving", look.GREY),
+            (campaign.LOADS_CHANGE, "loads still change", look.GREY),
+            (campaign.STOPPED_BY_BOX, "stopped by the box", look.GREY)):
         counts = np.array([(s["outcome"] == code).sum() for s in scenarios])
         shares = 100.0 * counts / [max(1, len(s.ran.nonzero()[0]))
                                    for s in scenarios]
+        if code > campaign.NUMERICAL_FAILURE and not counts.any():
+            continue
         if code != campaign.NUMERICAL_FAILURE or counts.any():
             counts_panel.barh(range(len(scenarios)), shares, left=done, color=colour,
                          label=words, edgecolor="white", linewidth=0.5)

@@ -73,7 +73,9 @@ def figure_5_6(files, base, points=None):
                ["event", "kind", "time_s", "until_s", "probability", "low",
                 "high"], rows,
                [f"{base.n} realisations, {base.n_numerical_failures} more "
-                "failed numerically"])
+                "failed numerically"
+                + (f", {base.n_undecided} are undecided" if base.n_undecided
+                   else "")])
 
 
 def against_time(files, name, scenarios, values, symbol, unit):

@@ -20,9 +20,11 @@ import numpy as np
 from estimates import proportion
 
 # Flags of "outcome" and "failure_class" in the store.
-STABLE, INITIAL_FAILURE, FLOODING, NUMERICAL_FAILURE = range(4)
+(STABLE, INITIAL_FAILURE, FLOODING, NUMERICAL_FAILURE, STILL_MOVING,
+ LOADS_CHANGE, STOPPED_BY_BOX) = range(7)
 NONE, INITIAL_ONLY, RETROGRESSIVE, HORIZONTAL, OUTER = range(5)
-OUTCOMES = ("stable", "initial failure", "flooding", "numerical failure")
+OUTCOMES = ("stable", "initial failure", "flooding", "numerical failure",
+            "still moving", "loads still change", "stopped by the box")
 CLASSES = ("none", "initial only", "retrogressive", "horizontal", "outer")
 
 
@@ -59,9 +61,10 @@ class Scenario:
 
     @property
     def counted(self):
-        """True where a realisation takes part in the probabilities: a
-        numerical failure has no outcome, and is counted apart."""
-        return self["outcome"] != NUMERICAL_FAILURE
+        """True where a realisation takes part in the probabilities: of a
+        numerical failure, or of a dyke that was still moving, nobody knows
+        whether it would have failed; they are counted apart."""
+        return self["outcome"] <= FLOODING
 
     @property
     def n(self):
@@ -69,7 +72,11 @@ class Scenario:
 
     @property
     def n_numerical_failures(self):
-        return int((~self.counted).sum())
+        return int((self["outcome"] == NUMERICAL_FAILURE).sum())
+
+    @property
+    def n_undecided(self):
+        return int((self["outcome"] > NUMERICAL_FAILURE).sum())
 
     def times(self, event):
         """Times (s) of "initial_failure", "initial_failure_thesis" or

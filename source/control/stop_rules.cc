@@ -27,6 +27,17 @@ namespace Waker
   }
 
 
+  bool
+  is_at_rest(const StopParameters &parameters,
+             const RestRecord     &rest,
+             const double          time)
+  {
+    // Round-off in the sum of the steps must not make it move.
+    return rest.since >= 0. &&
+           time - rest.since >= parameters.rest_duration * (1. - 1e-9);
+  }
+
+
   StopReason
   decide(const StopParameters &parameters,
          const FailureRecord  &failure,

@@ -14,21 +14,28 @@ namespace Waker
   {
     using Json = nlohmann::ordered_json;
 
+    template <typename Value>
     Json
-    to_json(const std::optional<double> &value)
+    to_json(const std::optional<Value> &value)
     {
       return value ? Json(*value) : Json(nullptr);
     }
 
 
+    template <typename Value>
     void
-    from_json(const Json &json, std::optional<double> &value)
+    from_json(const Json &json, std::optional<Value> &value)
     {
       if (json.is_null())
         value.reset();
       else
-        value = json.get<double>();
+        value = json.get<Value>();
     }
+
+
+    /// Members that earlier versions did not write.
+    template <typename Member>
+    constexpr bool is_new = std::is_same_v<Member, std::optional<bool>>;
 
 
     void
@@ -116,6 +123,9 @@ namespace Waker
       f("schema_version", s.schema_version);
       f("outcome", s.outcome);
       f("stop_reason", s.stop_reason);
+      f("still_moving", s.still_moving);
+      f("loads_change", s.loads_change);
+      f("at_box", s.at_box);
       f("initial_failure_time", s.initial_failure_time);
       f("initial_failure_time_thesis", s.initial_failure_time_thesis);
       f("flooding_time", s.flooding_time);
@@ -176,7 +186,8 @@ namespace Waker
                           "versions up to " +
                             std::to_string(current_schema_version));
         for_each_member(summary, [&](const char *const key, auto &member) {
-          from_json(json.at(key), member);
+          if (!is_new<std::decay_t<decltype(member)>> || json.contains(key))
+            from_json(json.at(key), member);
         });
         for_each_later_member(summary,
                               [&](const char *const key, auto &member) {

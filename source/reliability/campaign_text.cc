@@ -44,6 +44,7 @@ namespace Waker
         const Counts &counts = progress.counts(s);
         sum.n += counts.n;
         sum.n_failures += counts.n_failures;
+        sum.n_undecided += counts.n_undecided;
         sum.n_initial += counts.n_initial;
         sum.n_flooding += counts.n_flooding;
       }
@@ -53,9 +54,11 @@ namespace Waker
                        std::to_string(sum.n_flooding);
     if (sum.n_failures > 0)
       text += ", numerical failures " + std::to_string(sum.n_failures);
-    if (n_scenarios == 1 && sum.n > sum.n_failures)
+    if (sum.n_undecided > 0)
+      text += ", undecided " + std::to_string(sum.n_undecided);
+    if (n_scenarios == 1 && sum.n_decided() > 0)
       {
-        const Proportion p = proportion(sum.n_flooding, sum.n - sum.n_failures);
+        const Proportion p = proportion(sum.n_flooding, sum.n_decided());
         char             numbers[80];
         std::snprintf(numbers,
                       sizeof numbers,

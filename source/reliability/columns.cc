@@ -34,6 +34,14 @@ namespace Waker
 
 
     using A = AnalysedRecord;
+
+
+    /// -1: not known.
+    std::int8_t
+    flag(const A &a, bool Unrest::*const which)
+    {
+      return a.record->unrest ? (*a.record->unrest).*which : -1;
+    }
   } // namespace
 
 
@@ -222,12 +230,28 @@ namespace Waker
      "1",
      "how the realisation ended",
      [](const A &a) { return static_cast<std::int8_t>(a.record->outcome); },
-     "stable initial_failure flooding numerical_failure"},
+     "stable initial_failure flooding numerical_failure still_moving "
+     "loads_still_change stopped_by_the_box"},
     {"failure_class",
      "1",
      "how the dyke failed",
      [](const A &a) { return static_cast<std::int8_t>(a.failure_class); },
-     "none initial_only retrogressive horizontal outer"}};
+     "none initial_only retrogressive horizontal outer"},
+    {"still_moving",
+     "1",
+     "the dyke was not at rest at the end",
+     [](const A &a) { return flag(a, &Unrest::moving); },
+     "no yes"},
+    {"loads_change",
+     "1",
+     "loads changed shortly before the end, or change after it",
+     [](const A &a) { return flag(a, &Unrest::loads_change); },
+     "no yes"},
+    {"at_box",
+     "1",
+     "soil lay against a side of the box at the end",
+     [](const A &a) { return flag(a, &Unrest::at_box); },
+     "no yes"}};
 
 
 

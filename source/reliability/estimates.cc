@@ -76,7 +76,7 @@ namespace Waker
     result.by_displacement = with(FailureReading::by_displacement);
 
     std::uint64_t n_inner = 0, n_outer = 0, n_watched = 0;
-    std::uint64_t n_initial_then_numerical = 0, n_flooding_then_numerical = 0;
+    std::uint64_t n_initial_then_lost = 0, n_flooding_then_lost = 0;
     for (const Record &record : records)
       if (counts(record))
         {
@@ -84,26 +84,31 @@ namespace Waker
           n_watched += watches_slopes(record);
           n_inner += record.inner_slide.time >= 0.;
           n_outer += record.outer_slide.time >= 0.;
+          result.n_not_final += record.outcome == Outcome::initial_failure &&
+                                record.unrest && !record.unrest->is_final();
         }
       else
         {
-          ++result.n_numerical;
-          n_initial_then_numerical += record.failed();
-          n_flooding_then_numerical += record.flooded();
+          result.n_numerical += record.outcome == Outcome::numerical_failure;
+          result.n_still_moving += record.outcome == Outcome::still_moving;
+          result.n_loads_change += record.outcome == Outcome::loads_change;
+          result.n_stopped_by_box += record.outcome == Outcome::stopped_by_box;
+          n_initial_then_lost += record.failed();
+          n_flooding_then_lost += record.flooded();
         }
     result.inner_slides = proportion(n_inner, n_watched);
     result.outer_slides = proportion(n_outer, n_watched);
 
-    const std::uint64_t all        = result.n + result.n_numerical;
+    const std::uint64_t lost       = result.n_numerical + result.n_undecided();
+    const std::uint64_t all        = result.n + lost;
     const std::uint64_t n_initial  = result.by_any.initial.count;
     const std::uint64_t n_flooding = result.by_any.flooding.count;
-    result.if_all_failed = make_estimate(n_initial + result.n_numerical,
-                                         n_flooding + result.n_numerical,
+    result.if_all_failed           = make_estimate(n_initial + lost,
+                                         n_flooding + result.n_not_final + lost,
                                          all);
-    result.if_none_failed =
-      make_estimate(n_initial + n_initial_then_numerical,
-                    n_flooding + n_flooding_then_numerical,
-                    all);
+    result.if_none_failed = make_estimate(n_initial + n_initial_then_lost,
+                                          n_flooding + n_flooding_then_lost,
+                                          all);
     return result;
   }
 

@@ -27,7 +27,7 @@ namespace Waker
       return static_cast<std::int64_t>(std::floor(value / bin_width + 1e-9));
     };
     const auto is_left_out = [](const OutcomeValue &v) {
-      return !std::isfinite(v.value) || v.outcome == Outcome::numerical_failure;
+      return !std::isfinite(v.value) || !is_decided(v.outcome);
     };
 
     std::int64_t first = 0, last = -1;

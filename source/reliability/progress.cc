@@ -7,8 +7,9 @@ namespace Waker
 {
   Event::Event(const Record &record)
     : numerical_failure(record.outcome == Outcome::numerical_failure)
-    , initial_failure(!numerical_failure && record.failed())
-    , flooding(!numerical_failure && record.flooded())
+    , undecided(!numerical_failure && !is_decided(record.outcome))
+    , initial_failure(is_decided(record.outcome) && record.failed())
+    , flooding(is_decided(record.outcome) && record.flooded())
   {}
 
 
@@ -17,6 +18,7 @@ namespace Waker
   {
     ++n;
     n_failures += event.numerical_failure ? 1 : 0;
+    n_undecided += event.undecided ? 1 : 0;
     n_initial += event.initial_failure ? 1 : 0;
     n_flooding += event.flooding ? 1 : 0;
   }
@@ -25,7 +27,7 @@ namespace Waker
   bool
   enough(const CampaignParameters &p, const Counts &counts)
   {
-    const std::uint64_t n = counts.n - counts.n_failures;
+    const std::uint64_t n = counts.n_decided();
     if (counts.n < p.minimum_realisations || n == 0)
       return false;
     if (p.initial_failures > 0 && counts.n_initial >= p.initial_failures)

@@ -131,9 +131,8 @@ namespace Waker
             if (stop != StopReason::none)
               {
                 record.stop_reason = to_string(stop);
-                record.outcome     = failure.flooded() ? Outcome::flooding
-                                     : failure.failed() ? Outcome::initial_failure
-                                                        : Outcome::stable;
+                record.unrest      = realisation.unrest();
+                record.outcome     = outcome_of(failure, *record.unrest);
                 break;
               }
             if (interrupt != nullptr && *interrupt != 0)

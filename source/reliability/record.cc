@@ -2,17 +2,12 @@
 #include <waker/reliability/record.h>
 #include <waker/reliability/record_json.h>
 
-#include <array>
 #include <stdexcept>
 
 namespace Waker
 {
   namespace
   {
-    const std::array<std::string, 4> outcome_names = {
-      {"stable", "initial failure", "flooding", "numerical failure"}};
-
-
     /// Call f(key, member, plausible range) for each member that is a result,
     /// in the order of the line. One that is new, and that the lines of today
     /// do not have, is a std::optional.
@@ -26,6 +21,7 @@ namespace Waker
       f("outcome", s.outcome, any);
       f("stop_reason", s.stop_reason, any);
       f("attempts", s.attempts, count);
+      f("unrest", s.unrest, any);
       f("initial_time", s.initial_time, event_time);
       f("initial_time_thesis", s.initial_time_thesis, event_time);
       f("flooding_time", s.flooding_time, event_time);
@@ -60,28 +56,6 @@ namespace Waker
       f("field_time", s.field_time, duration);
     }
   } // namespace
-
-
-
-  std::string
-  to_string(const Outcome outcome)
-  {
-    return outcome_names.at(static_cast<std::size_t>(outcome));
-  }
-
-
-
-  bool
-  outcome_from_string(const std::string &name, Outcome &outcome)
-  {
-    for (std::size_t i = 0; i < outcome_names.size(); ++i)
-      if (name == outcome_names[i])
-        {
-          outcome = static_cast<Outcome>(i);
-          return true;
-        }
-    return false;
-  }
 
 
 

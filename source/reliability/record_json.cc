@@ -87,6 +87,13 @@ namespace Waker
 
 
     Json
+    json_of(const Unrest &unrest, const PlausibleRange &)
+    {
+      return Json::array({unrest.moving, unrest.loads_change, unrest.at_box});
+    }
+
+
+    Json
     json_of(const MovedSoil &soil, const PlausibleRange &)
     {
       return Json::array({json_of(soil.area, Plausible::area),
@@ -199,6 +206,19 @@ namespace Waker
 
 
     void
+    read(const Json           &json,
+         const char           *key,
+         const PlausibleRange &range,
+         Unrest               &unrest)
+    {
+      three_numbers(json, key);
+      read(json[0], key, range, unrest.moving);
+      read(json[1], key, range, unrest.loads_change);
+      read(json[2], key, range, unrest.at_box);
+    }
+
+
+    void
     read(const Json &json,
          const char *key,
          const PlausibleRange &,
@@ -269,6 +289,15 @@ namespace Waker
         read(*found, key, range, slide);
       else
         slide.time = std::numeric_limits<double>::quiet_NaN();
+    }
+
+
+    void
+    Hash::add(const Unrest &unrest)
+    {
+      for (const bool value :
+           {unrest.moving, unrest.loads_change, unrest.at_box})
+        add(value);
     }
 
 

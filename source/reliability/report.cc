@@ -105,7 +105,8 @@ namespace Waker
         const ScenarioEstimate e = estimate(*scenario.records);
         if (!info.swept_parameter.empty())
           text += "\n" + info.swept_parameter + " = " + scenario.info->value;
-        if (e.n + e.n_numerical == 0)
+        const std::uint64_t lost = e.n_numerical + e.n_undecided();
+        if (e.n + lost == 0)
           {
             text += "\n  no realisation yet";
             continue;
@@ -131,11 +132,24 @@ namespace Waker
             text += "\n    " + to_string(c.failure_class) +
                     (c.flooded ? ", flooded: " : ", not flooded: ") +
                     std::to_string(c.share.count);
-        if (e.n_numerical > 0)
+        if (e.n_not_final > 0)
+          text += "\n  " + std::to_string(e.n_not_final) +
+                  " initial failure(s) not flooded so far, but not at rest, "
+                  "under changing loads or against the box: counted as not "
+                  "flooded above";
+        const auto left_out = [&](const std::uint64_t n,
+                                  const std::string  &what) {
+          if (n > 0)
+            text +=
+              "\n  " + std::to_string(n) + " " + what + ", not counted above";
+        };
+        left_out(e.n_numerical, "numerical failure(s)");
+        left_out(e.n_still_moving, "still moving at the end time");
+        left_out(e.n_loads_change, "whose loads still changed at the end time");
+        left_out(e.n_stopped_by_box, "held by a side of the box");
+        if (lost + e.n_not_final > 0)
           {
-            text += "\n  " + std::to_string(e.n_numerical) +
-                    " numerical failure(s), not counted above; if they all "
-                    "had failed and flooded:";
+            text += "\n  if all of these had failed and flooded:";
             text += line("P(S1)", e.if_all_failed.initial);
             text += line("P(F)", e.if_all_failed.flooding);
           }

@@ -71,6 +71,10 @@ namespace Waker
       json["scales"]              = scenario.info->scales;
       json["n"]                   = e.n;
       json["n_numerical_failure"] = e.n_numerical;
+      json["n_still_moving"]      = e.n_still_moving;
+      json["n_loads_change"]      = e.n_loads_change;
+      json["n_stopped_by_box"]    = e.n_stopped_by_box;
+      json["n_S1_not_final"]      = e.n_not_final;
       json["by_any"]              = to_json(e.by_any);
       json["by_geometry"]         = to_json(e.by_geometry);
       json["by_width"]            = to_json(e.by_width);

@@ -90,9 +90,10 @@ namespace Waker
     probabilities(const Scenarios &scenarios)
     {
       CsvTable table(
-        "scenario,value,n,n_numerical_failure,n_S1" + titles_of("P_S1") +
-        ",n_S1_geometry" + titles_of("P_S1_geometry") + ",n_S1_thesis" +
-        titles_of("P_S1_thesis") + ",n_S1_displacement" +
+        "scenario,value,n,n_numerical_failure,n_still_moving,n_loads_change,"
+        "n_stopped_by_box,n_S1_not_final,n_S1" +
+        titles_of("P_S1") + ",n_S1_geometry" + titles_of("P_S1_geometry") +
+        ",n_S1_thesis" + titles_of("P_S1_thesis") + ",n_S1_displacement" +
         titles_of("P_S1_displacement") + ",n_inner_slide" +
         titles_of("P_inner_slide") + ",n_outer_slide" +
         titles_of("P_outer_slide") + ",n_F" + titles_of("P_F") +
@@ -105,6 +106,8 @@ namespace Waker
           const ScenarioEstimate e = estimate(*scenarios[s].records);
           const Proportion      &f = e.by_any.flooding;
           scenario_row(table, scenarios, s).cell(e.n).cell(e.n_numerical);
+          table.cell(e.n_still_moving).cell(e.n_loads_change);
+          table.cell(e.n_stopped_by_box).cell(e.n_not_final);
           for (const Proportion &p : {e.by_any.initial,
                                       e.by_geometry.initial,
                                       e.by_width.initial,
@@ -245,7 +248,8 @@ namespace Waker
     std::string
     realisations(const Scenarios &scenarios)
     {
-      std::string titles = "scenario,value,realisation,outcome,failure_class";
+      std::string titles = "scenario,value,realisation,outcome,failure_class,"
+                           "still_moving,loads_change,at_box";
       add_titles(count_columns, titles);
       add_titles(real_columns, titles);
       add_titles(work_columns, titles);
@@ -270,6 +274,11 @@ namespace Waker
                 .cell(records[i].realisation)
                 .cell(to_string(records[i].outcome))
                 .cell(to_string(analysed.failure_class));
+              for (bool Unrest::*const which :
+                   {&Unrest::moving, &Unrest::loads_change, &Unrest::at_box})
+                table.cell(records[i].unrest
+                             ? std::to_string((*records[i].unrest).*which)
+                             : std::string());
               add_cells(count_columns, analysed, table);
               add_cells(real_columns, analysed, table);
               add_cells(work_columns, analysed, table);

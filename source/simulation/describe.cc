@@ -147,7 +147,8 @@ namespace Waker
   template <int dim>
   void
   describe_result(const State<dim>   &state,
-                  const std::string  &outcome,
+                  const Outcome       outcome,
+                  const Unrest       &unrest,
                   const std::string  &reason,
                   const double        wall_time,
                   const std::uint64_t steps_done,
@@ -168,7 +169,15 @@ namespace Waker
                       1e6 * wall_time / point_steps);
         rate = text;
       }
-    say(log, "Outcome: %s (%s)", outcome.c_str(), reason.c_str());
+    say(log, "Outcome: %s (%s)", to_string(outcome).c_str(), reason.c_str());
+    if (outcome != Outcome::numerical_failure && outcome != Outcome::flooding &&
+        !unrest.is_final())
+      say(log,
+          "  NOT FINAL %s at t = %g s: %s",
+          to_string(unrest).c_str(),
+          state.time,
+          is_decided(outcome) ? "the residual width may change"
+                              : "nobody knows whether the dyke stands");
     say(log,
         "  W %.2f -> %.2f m, H %.2f -> %.2f m, t = %.3f s",
         f.initial_width,
@@ -192,14 +201,16 @@ namespace Waker
   describe_case(const Case<3> &, Log &);
   template void
   describe_result(const State<2> &,
-                  const std::string &,
+                  const Outcome,
+                  const Unrest &,
                   const std::string &,
                   const double,
                   const std::uint64_t,
                   Log &);
   template void
   describe_result(const State<3> &,
-                  const std::string &,
+                  const Outcome,
+                  const Unrest &,
                   const std::string &,
                   const double,
                   const std::uint64_t,

@@ -106,11 +106,11 @@ namespace Waker
     , materials(&materials)
     , scheme(parameters.time.scheme)
     , ramp_duration(parameters.time.ramp_duration)
-    , open_faces(parameters.outflow.open_faces(dim))
+    , outflow_faces(parameters.outflow.open_faces(dim))
     , all_conditions(parameters.fixities)
   {
-    has_outflow =
-      std::find(open_faces.begin(), open_faces.end(), true) != open_faces.end();
+    has_outflow = std::find(outflow_faces.begin(), outflow_faces.end(), true) !=
+                  outflow_faces.end();
     const auto is_whole_and_held = [&](const FixityParameters &condition,
                                        const unsigned int      f) {
       return condition.region == face_names[f] && condition.from.empty() &&
@@ -118,7 +118,7 @@ namespace Waker
     };
     for (unsigned int f = 0; f < 2 * dim; ++f)
       for (const FixityParameters &condition : parameters.fixities)
-        if (open_faces[f] && is_whole_and_held(condition, f))
+        if (outflow_faces[f] && is_whole_and_held(condition, f))
           throw UserError("Outflow/Faces",
                           std::string(face_names[f]) +
                             " is closed by Boundary conditions/" +
@@ -130,7 +130,7 @@ namespace Waker
         const std::string  path = "Inflow/" + inflow.name + "/Face";
         const unsigned int face = inflow.face_number();
         const unsigned int m    = material_number(inflow, parameters.materials);
-        if (open_faces[face])
+        if (outflow_faces[face])
           throw UserError(path,
                           "is " + inflow.face + ", which is in Outflow/Faces",
                           "another face");
@@ -162,7 +162,19 @@ namespace Waker
                             "an opening that no boundary condition and no "
                             "other inflow holds");
         all_conditions.push_back(pushing(inflow, feeder));
+        inflow_faces.push_back(face);
       }
+  }
+
+
+  template <int dim>
+  std::vector<bool>
+  Flow<dim>::open_faces() const
+  {
+    std::vector<bool> faces = outflow_faces;
+    for (const unsigned int face : inflow_faces)
+      faces[face] = true;
+    return faces;
   }
 
 
@@ -257,7 +269,7 @@ namespace Waker
   {
     MaterialPoints<dim>           &points = state.points;
     const std::vector<std::size_t> list =
-      points_beyond(*grid, open_faces, points);
+      points_beyond(*grid, outflow_faces, points);
     if (list.empty())
       return;
     // Only what the sums below ask for.

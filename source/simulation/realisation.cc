@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
 #include <waker/mechanics/deformation.h>
+#include <waker/observers/box_sides.h>
 #include <waker/observers/dyke_geometry.h>
 #include <waker/simulation/realisation.h>
 
@@ -86,6 +87,34 @@ namespace Waker
                   state->mean_plastic_strain,
                   state->displacement_rate,
                   state->rest);
+  }
+
+
+  template <int dim>
+  Unrest
+  Realisation<dim>::unrest() const
+  {
+    const Parameters &parameters = the_case->parameters;
+    // Load steps are in balance, each as it is: they need no time to rest.
+    const bool   is_static = parameters.time.scheme == "quasi-static";
+    const double time      = state->time;
+    const double since =
+      is_static ? time : std::max(0., time - parameters.stop.rest_duration);
+
+    Unrest unrest;
+    unrest.moving =
+      !is_static && !is_at_rest(parameters.stop, state->rest, time);
+    // Of an expression only what it has done is known, of the others also what
+    // they will do. Round-off in the sum of the steps changes no load.
+    unrest.loads_change =
+      the_case->last_load_change == LastChange::unknown
+        ? scene.last_load_change(LastChange::never) > since * (1. + 1e-9) ||
+            !scene.varying_load(since, time).empty()
+        : the_case->last_load_change > since * (1. + 1e-9);
+    unrest.at_box = soil_lies_against_side(the_case->grid,
+                                           state->points,
+                                           the_case->flow.open_faces());
+    return unrest;
   }
 
 

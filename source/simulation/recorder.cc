@@ -276,12 +276,19 @@ namespace Waker
   template <int dim>
   void
   Recorder<dim>::write_summary(const State<dim>  &state,
-                               const std::string &outcome,
+                               const Outcome      outcome,
+                               const Unrest      &unrest,
                                const std::string &stop_reason,
                                const double       wall_time) const
   {
     Summary summary;
-    summary.outcome              = outcome;
+    summary.outcome = to_string(outcome);
+    if (outcome != Outcome::numerical_failure)
+      {
+        summary.still_moving = unrest.moving;
+        summary.loads_change = unrest.loads_change;
+        summary.at_box       = unrest.at_box;
+      }
     summary.stop_reason          = stop_reason;
     summary.initial_failure_time = time_or_nothing(state.failure.initial_time);
     summary.initial_failure_time_thesis =

@@ -35,15 +35,6 @@ namespace Waker
     }
 
 
-    std::string
-    outcome(const FailureRecord &failure)
-    {
-      return failure.flooded()  ? "flooding"
-             : failure.failed() ? "initial failure"
-                                : "stable";
-    }
-
-
     /// Say in the log what has just happened to the dyke.
     void
     report_events(const FailureRecord &before,
@@ -148,7 +139,9 @@ namespace Waker
       const double        end_time   = the_case.parameters.time.end_time;
       Realisation<dim>    realisation(the_case, state);
 
-      std::string   result, reason;
+      Outcome       outcome = Outcome::numerical_failure;
+      Unrest        unrest;
+      std::string   reason;
       RunStatus     status = RunStatus::completed;
       bool          is_new = !resumed; // this moment is not in the files yet
       bool          held   = false;    // domains, at the size of a cell
@@ -174,8 +167,9 @@ namespace Waker
               is_new = true;
               if (last)
                 {
-                  result = outcome(state.failure);
-                  reason = to_string(stop);
+                  unrest  = realisation.unrest();
+                  outcome = outcome_of(state.failure, unrest);
+                  reason  = to_string(stop);
                   break;
                 }
               if (interrupted(options))
@@ -221,7 +215,6 @@ namespace Waker
       catch (const NumericalFailure &failure)
         {
           // The state is the last good one: keep it, with the reason.
-          result = "numerical failure";
           reason = failure.what();
           status = RunStatus::numerical_failure;
           recorder.checkpoint(state, true);
@@ -236,9 +229,14 @@ namespace Waker
                    " s; go on with --resume.");
           return status;
         }
-      recorder.write_summary(state, result, reason, wall.count());
-      describe_result(
-        state, result, reason, wall.count(), state.step - first_step, log);
+      recorder.write_summary(state, outcome, unrest, reason, wall.count());
+      describe_result(state,
+                      outcome,
+                      unrest,
+                      reason,
+                      wall.count(),
+                      state.step - first_step,
+                      log);
       return status;
     }
   } // namespace
@@ -270,7 +268,8 @@ namespace Waker
                                   parameters.text);
             Recorder<dim>(parameters)
               .write_summary(State<dim>(),
-                             "numerical failure",
+                             Outcome::numerical_failure,
+                             Unrest(),
                              failure.what(),
                              0.);
           }

@@ -140,8 +140,7 @@ namespace Waker
 
       Realisation<dim> realisation(the_case, state);
       Trial            trial;
-      StopReason       stop;
-      while ((stop = realisation.look()) == StopReason::none)
+      while (realisation.look() == StopReason::none)
         {
           if (options.interrupt != nullptr && *options.interrupt != 0)
             throw Interrupted();
@@ -162,9 +161,10 @@ namespace Waker
       log.end_progress();
       const double failure_time =
         state.failure.time_of(the_case.parameters.stop.reading);
-      trial.failed  = failure_time >= 0.;
-      trial.time    = trial.failed ? failure_time : state.time;
-      trial.outcome = to_string(stop);
+      trial.failed = failure_time >= 0.;
+      trial.time   = trial.failed ? failure_time : state.time;
+      trial.outcome =
+        to_string(outcome_of(state.failure, realisation.unrest()));
       if (!state.failure.slope().empty())
         trial.outcome += " (" + state.failure.slope() + " slope)";
       return trial;

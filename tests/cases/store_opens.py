@@ -24,7 +24,8 @@ VARIABLES = {
     "scenario_hash": (("scenario",), "O", "1"),
     **{name: (("scenario",), "f8", "m")
        for name in ("water_level", "crest_level", "scale_x", "scale_y")},
-    **{name: (PLANE, "i1", "1") for name in ("outcome", "failure_class")},
+    **{name: (PLANE, "i1", "1") for name in (
+        "outcome", "failure_class", "still_moving", "loads_change", "at_box")},
     **{name: (PLANE, "i4", "1") for name in ("attempts", "n_slides")},
     **{name: (PLANE, "i8", "1")
        for name in ("steps", "newton_iterations", "linear_iterations",
@@ -55,8 +56,12 @@ ATTRIBUTES = {
        for name in ("slide_rate", "slide_duration", "slide_minimum_change")},
 }
 FLAGS = {
-    "outcome": "stable initial_failure flooding numerical_failure",
+    "outcome": "stable initial_failure flooding numerical_failure "
+               "still_moving loads_still_change stopped_by_the_box",
     "failure_class": "none initial_only retrogressive horizontal outer",
+    "still_moving": "no yes",
+    "loads_change": "no yes",
+    "at_box": "no yes",
 }
 
 

@@ -50,6 +50,40 @@ namespace
 } // namespace
 
 
+TEST(Estimates, the_undecided_are_counted_excluded_and_bound)
+{
+  std::vector<Record> records;
+  for (std::uint64_t i = 0; i < 12; ++i)
+    records.push_back(make_record(i));
+  records[0]         = make_record(0, 2., 5.);
+  records[1]         = make_record(1, 2.5);
+  records[1].unrest  = {true, false, false}; // may flood yet
+  records[2]         = make_record(2, 2.5);
+  records[2].unrest  = Unrest();            // will not
+  records[3]         = make_record(3, 2.5); // nobody says
+  records[4].outcome = Outcome::still_moving;
+  records[5].outcome = Outcome::loads_change;
+  records[6].outcome = Outcome::loads_change;
+  records[7].outcome = Outcome::stopped_by_box;
+
+  const ScenarioEstimate e = estimate(records);
+  EXPECT_EQ(e.n, 8U);
+  EXPECT_EQ(e.n_numerical, 0U);
+  EXPECT_EQ(e.n_still_moving, 1U);
+  EXPECT_EQ(e.n_loads_change, 2U);
+  EXPECT_EQ(e.n_stopped_by_box, 1U);
+  EXPECT_EQ(e.n_undecided(), 4U);
+  EXPECT_EQ(e.n_not_final, 1U);
+  EXPECT_DOUBLE_EQ(e.by_geometry.initial.estimate, 4. / 8.);
+  EXPECT_DOUBLE_EQ(e.by_geometry.flooding.estimate, 1. / 8.);
+  EXPECT_DOUBLE_EQ(e.if_all_failed.initial.estimate, 8. / 12.);
+  EXPECT_DOUBLE_EQ(e.if_all_failed.flooding.estimate, 6. / 12.);
+  EXPECT_DOUBLE_EQ(e.if_none_failed.initial.estimate, 4. / 12.);
+  EXPECT_DOUBLE_EQ(e.if_none_failed.flooding.estimate, 1. / 12.);
+  EXPECT_EQ(estimate_convergence(records).back().position, 8.);
+}
+
+
 TEST(Estimates, numerical_failures_are_counted_and_excluded)
 {
   std::vector<Record> records;

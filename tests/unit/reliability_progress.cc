@@ -132,6 +132,30 @@ namespace
   }
 
 
+  TEST(Progress, the_undecided_count_for_no_probability)
+  {
+    Counts counts;
+    for (const Outcome outcome : {Outcome::stable,
+                                  Outcome::initial_failure,
+                                  Outcome::flooding,
+                                  Outcome::numerical_failure,
+                                  Outcome::still_moving,
+                                  Outcome::loads_change,
+                                  Outcome::stopped_by_box})
+      {
+        Record record;
+        record.outcome      = outcome;
+        record.initial_time = outcome == Outcome::stable ? -1. : 2.;
+        counts.add(Event(record));
+      }
+    EXPECT_EQ(counts.n, 7u);
+    EXPECT_EQ(counts.n_failures, 1u);
+    EXPECT_EQ(counts.n_undecided, 3u);
+    EXPECT_EQ(counts.n_decided(), 3u);
+    EXPECT_EQ(counts.n_initial, 2u);
+  }
+
+
   TEST(Progress, rules_ignore_numerical_failures_but_count_them)
   {
     CampaignParameters parameters;
@@ -148,6 +172,9 @@ namespace
     EXPECT_FALSE(enough(parameters, counts)); // 0 of 29: 0.119
     counts.n = 30;
     EXPECT_TRUE(enough(parameters, counts));
+    counts.n_undecided = 1;
+    EXPECT_FALSE(enough(parameters, counts)); // 0 of 29 again
+    counts.n_undecided        = 0;
     parameters.interval_width = 0.1;
     EXPECT_FALSE(enough(parameters, counts));
   }

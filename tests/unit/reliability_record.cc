@@ -78,6 +78,37 @@ namespace Waker
   }
 
 
+  TEST(Reliability, record_keeps_why_an_end_is_not_final)
+  {
+    Record      record = synthetic_record(0, 2);
+    std::size_t last   = fingerprint(record);
+    EXPECT_FALSE(record_from_json(to_json(record)).unrest);
+    for (const Unrest &unrest : {Unrest{},
+                                 Unrest{true, false, false},
+                                 Unrest{false, true, false},
+                                 Unrest{false, false, true}})
+      {
+        record.unrest     = unrest;
+        record.outcome    = outcome_of({}, unrest);
+        const Record copy = record_from_json(to_json(record));
+        ASSERT_TRUE(copy.unrest);
+        EXPECT_EQ(to_string(*copy.unrest), to_string(unrest));
+        EXPECT_EQ(copy.outcome, record.outcome);
+        EXPECT_EQ(fingerprint(copy), fingerprint(record));
+        EXPECT_NE(fingerprint(record), last);
+        last = fingerprint(record);
+      }
+    for (const char *const wrong : {"[true,false]", "[1,0,0]", "true"})
+      {
+        std::string       line = to_json(record);
+        const std::string key  = "\"unrest\":";
+        const std::size_t from = line.find(key) + key.size();
+        line.replace(from, line.find(']', from) + 1 - from, wrong);
+        EXPECT_THROW(record_from_json(line), std::runtime_error) << line;
+      }
+  }
+
+
   // Journals of schema version 1 stay readable: change this line never.
   TEST(Reliability, record_of_schema_1_is_read)
   {
@@ -106,6 +137,7 @@ namespace Waker
     EXPECT_EQ(record.first_inward.area, 20.);
     EXPECT_EQ(record.first_outward.dy, 0.25);
     EXPECT_EQ(record.least_strength, 6.5);
+    EXPECT_FALSE(record.unrest); // came later
     EXPECT_EQ(record.steps, 245u);
     EXPECT_EQ(record.unconverged_steps, 1u);
     ASSERT_EQ(record.trace.size(), 2u);

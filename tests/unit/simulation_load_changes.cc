@@ -40,11 +40,19 @@ namespace
       StopReason     stop;
       while ((stop = realisation.look()) == StopReason::none)
         realisation.advance();
+      unrest = realisation.unrest();
       return stop;
+    }
+
+    Outcome
+    outcome() const
+    {
+      return outcome_of(state.failure, unrest);
     }
 
     LoadedBar bar;
     State<2>  state;
+    Unrest    unrest;
   };
 
 
@@ -189,4 +197,82 @@ TEST(Simulation, walls_and_inflows_are_loads_that_change)
               *of_file("flow.prm", {"Stop rules/Loads constant from=0"}))
               .find("Inflow/mouth changes"),
             std::string::npos);
+}
+
+
+TEST(Simulation, only_what_rests_under_constant_loads_is_stable)
+{
+  // At rest, by the rule or without it.
+  BlockInWater still("0");
+  still.run();
+  EXPECT_EQ(still.outcome(), Outcome::stable);
+  still.bar.parameters.stop.at_rest  = false;
+  still.bar.parameters.time.end_time = 4.;
+  EXPECT_EQ(still.run(), StopReason::end_time);
+  EXPECT_EQ(still.outcome(), Outcome::stable);
+  // The end comes before a second of rest.
+  still.bar.parameters.time.end_time = 1.5;
+  EXPECT_EQ(still.run(), StopReason::end_time);
+  EXPECT_EQ(still.outcome(), Outcome::still_moving);
+
+  // A level that has risen, rises, and will rise.
+  BlockInWater table("0: 0, 3: 0, 4: 0.1");
+  table.bar.parameters.time.end_time = 6.;
+  table.run();
+  EXPECT_EQ(table.outcome(), Outcome::stable);
+  for (const double end : {2.5, 3.5, 4.5})
+    {
+      table.bar.parameters.time.end_time = end;
+      EXPECT_EQ(table.run(), StopReason::end_time) << end;
+      EXPECT_EQ(table.outcome(), Outcome::loads_change) << end;
+    }
+
+  // Of an expression only what it does in the last second is known.
+  BlockInWater expression("t < 3 ? 0 : 0.1*min(t - 3, 1)");
+  for (const auto &[end, outcome] : {std::make_pair(2.5, Outcome::stable),
+                                     std::make_pair(4.5, Outcome::loads_change),
+                                     std::make_pair(6., Outcome::stable)})
+    {
+      expression.bar.parameters.time.end_time = end;
+      EXPECT_EQ(expression.run(), StopReason::end_time) << end;
+      EXPECT_EQ(expression.outcome(), outcome) << end;
+    }
+
+  // The flooded has flooded.
+  BlockInWater flooded("0: 0, 3: 0, 4: 1, 9: 2");
+  flooded.run();
+  EXPECT_EQ(flooded.outcome(), Outcome::flooding);
+}
+
+
+// Each load step is in balance: it needs no time to rest.
+TEST(Simulation, load_steps_rest_at_once)
+{
+  BlockInWater block("0: 0, 2: 0.1");
+  Parameters  &p   = block.bar.parameters;
+  p.time.scheme    = "quasi-static";
+  p.time.time_step = 0.5;
+  p.time.end_time  = 2.;
+  EXPECT_EQ(block.run(), StopReason::end_time);
+  EXPECT_EQ(block.outcome(), Outcome::stable);
+  p.water.rise = "0: 0, 2: 0.1, 3: 0.2";
+  block.run();
+  EXPECT_EQ(block.outcome(), Outcome::loads_change);
+}
+
+
+TEST(Simulation, a_dyke_that_leans_on_the_box_is_not_stable)
+{
+  BlockInWater block("0");
+  block.run();
+  EXPECT_FALSE(block.unrest.at_box); // it stood there from the beginning
+  const Case<2> the_case(block.bar.parameters, MPI_COMM_SELF);
+  State<2>      state = block.state;
+  for (Point<2> &x : state.points.initial_position)
+    x[0] -= 2.;
+  Realisation<2> realisation(the_case, state);
+  realisation.look();
+  EXPECT_TRUE(realisation.unrest().at_box);
+  EXPECT_EQ(outcome_of(state.failure, realisation.unrest()),
+            Outcome::stopped_by_box);
 }

@@ -36,6 +36,12 @@ namespace Waker
   std::string
   to_string(const StopReason reason);
 
+  /// Has the dyke been at rest for the rest duration, whatever its loads do?
+  bool
+  is_at_rest(const StopParameters &parameters,
+             const RestRecord     &rest,
+             const double          time);
+
   /**
    * When a run is over. Rest is judged by averages over the body, not by
    * maxima: single points may ring for ever.

@@ -28,8 +28,13 @@ namespace Waker
 
     unsigned int schema_version = current_schema_version;
 
-    /// "stable", "initial failure", "flooding" or "numerical failure".
+    /// In the words of to_string(Outcome), control/outcome.h.
     std::string outcome;
+    /// What keeps the last state from being final (Unrest); summaries of
+    /// earlier versions do not say.
+    std::optional<bool> still_moving;
+    std::optional<bool> loads_change;
+    std::optional<bool> at_box;
     /// Why the run ended, in words.
     std::string stop_reason;
 

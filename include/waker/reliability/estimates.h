@@ -27,16 +27,33 @@ namespace Waker
   /**
    * All probabilities of one scenario.
    *
-   * Realisations that failed numerically are in no denominator. As blowing up
-   * may well go with failing, `if_all_failed` and `if_none_failed` are the
-   * probabilities if each of them had failed and flooded, or nothing more had
-   * happened to it: what it had recorded of S1 and F before counts in both.
-   * They bound P(S1) and P(F), not their ratio.
+   * Realisations that failed numerically, and those that did not fail but were
+   * not at rest, or under changing loads, or against the box when they ended,
+   * are in no denominator. As both may well go with failing, `if_all_failed`
+   * and `if_none_failed` are the probabilities if each of them had failed and
+   * flooded, or nothing more had happened to it: what it had recorded of S1 and
+   * F before counts in both. They bound P(S1) and P(F), not their ratio.
+   *
+   * An initial failure whose end is not final has not flooded so far, and
+   * counts as such; `if_all_failed` lets it flood.
    */
   struct ScenarioEstimate
   {
     std::uint64_t n           = 0; // realisations that count
     std::uint64_t n_numerical = 0; // numerical failures: not in n
+    // Undecided, not in n either:
+    std::uint64_t n_still_moving   = 0;
+    std::uint64_t n_loads_change   = 0;
+    std::uint64_t n_stopped_by_box = 0;
+    /// Of n: initial failures that have not flooded so far, but are not final.
+    std::uint64_t n_not_final = 0;
+
+    std::uint64_t
+    n_undecided() const
+    {
+      return n_still_moving + n_loads_change + n_stopped_by_box;
+    }
+
     /// Any reading of S1 (see FailureEvents), which is what is meant where
     /// none is named ...
     Estimate by_any;
@@ -60,11 +77,11 @@ namespace Waker
     Estimate estimate;
   };
 
-  /// Whether the outcome is known.
+  /// Whether it is known if the dyke failed.
   inline bool
   counts(const Record &record)
   {
-    return record.outcome != Outcome::numerical_failure;
+    return is_decided(record.outcome);
   }
 
   /// @param records of one scenario, each realisation once; may be empty

@@ -29,8 +29,8 @@ namespace Waker
   /**
    * Bins of equal width from 0 (from below, if a value is negative) to the
    * highest value, empty ones included. A value within 1e-9 widths below a
-   * bin's end counts as on it. Values that are not finite and numerical
-   * failures are left out; no bins if nothing remains.
+   * bin's end counts as on it. Values that are not finite, numerical failures
+   * and what is undecided are left out; no bins if nothing remains.
    */
   std::vector<HistogramBin>
   histogram(const std::vector<OutcomeValue> &values, const double bin_width);

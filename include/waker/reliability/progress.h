@@ -17,6 +17,7 @@ namespace Waker
     explicit Event(const Record &record);
 
     bool numerical_failure;
+    bool undecided; // nobody knows whether it would have failed
     bool initial_failure;
     bool flooding;
   };
@@ -24,10 +25,18 @@ namespace Waker
 
   struct Counts
   {
-    std::uint64_t n          = 0; // finished, numerical failures included
-    std::uint64_t n_failures = 0; // numerical ones
-    std::uint64_t n_initial  = 0; // S1
-    std::uint64_t n_flooding = 0; // F
+    std::uint64_t n           = 0; // finished, all of them
+    std::uint64_t n_failures  = 0; // numerical ones
+    std::uint64_t n_undecided = 0; // moving, under changing loads, at the box
+    std::uint64_t n_initial   = 0; // S1
+    std::uint64_t n_flooding  = 0; // F
+
+    /// Those that the probabilities are of.
+    std::uint64_t
+    n_decided() const
+    {
+      return n - n_failures - n_undecided;
+    }
 
     void
     add(const Event &event);

@@ -2,31 +2,17 @@
 #ifndef waker_reliability_record_h
 #define waker_reliability_record_h
 
+#include <waker/control/outcome.h>
 #include <waker/observers/failure_record.h>
 #include <waker/observers/moved_soil.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace Waker
 {
-  enum class Outcome
-  {
-    stable,
-    initial_failure,
-    flooding,
-    numerical_failure
-  };
-
-  /// "stable", "initial failure", "flooding", "numerical failure".
-  std::string
-  to_string(const Outcome outcome);
-
-  /// The outcome of that name. @return false if there is none
-  bool
-  outcome_from_string(const std::string &name, Outcome &outcome);
-
   /// Geometry at a moment: what slides are found in.
   struct TracePoint
   {
@@ -48,6 +34,10 @@ namespace Waker
     Outcome       outcome     = Outcome::stable;
     std::string   stop_reason;  // in words; of a numerical failure: what failed
     unsigned int  attempts = 1; // 2 and more: repeated with a smaller step
+
+    /// What keeps the end from being final. Not known of numerical failures,
+    /// nor of lines of Waker 0.1.
+    std::optional<Unrest> unrest;
 
     double end_time        = 0.; // s
     double initial_width   = 0.; // W_i, m

@@ -60,6 +60,8 @@ namespace Waker
     Json
     json_of(const Outcome outcome, const PlausibleRange &);
     Json
+    json_of(const Unrest &unrest, const PlausibleRange &);
+    Json
     json_of(const MovedSoil &soil, const PlausibleRange &);
     Json
     json_of(const SlopeSlide &slide, const PlausibleRange &);
@@ -102,6 +104,11 @@ namespace Waker
     read(const Json &json,
          const char *key,
          const PlausibleRange &,
+         Unrest &unrest);
+    void
+    read(const Json &json,
+         const char *key,
+         const PlausibleRange &,
          MovedSoil &soil);
     void
     read(const Json &json,
@@ -133,10 +140,13 @@ namespace Waker
 
     template <typename Member>
     void
-    put(Json &line, const char *const key, const std::optional<Member> &member)
+    put(Json                        &line,
+        const char *const            key,
+        const PlausibleRange        &range,
+        const std::optional<Member> &member)
     {
       if (member)
-        put(line, key, *member);
+        put(line, key, range, *member);
     }
 
 
@@ -192,6 +202,9 @@ namespace Waker
       {
         boost::hash_combine(state, value);
       }
+
+      void
+      add(const Unrest &unrest);
 
       void
       add(const MovedSoil &soil);

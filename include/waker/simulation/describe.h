@@ -2,6 +2,7 @@
 #ifndef waker_simulation_describe_h
 #define waker_simulation_describe_h
 
+#include <waker/control/outcome.h>
 #include <waker/simulation/case.h>
 #include <waker/simulation/state.h>
 
@@ -22,7 +23,8 @@ namespace Waker
   template <int dim>
   void
   describe_result(const State<dim>   &state,
-                  const std::string  &outcome,
+                  const Outcome       outcome,
+                  const Unrest       &unrest,
                   const std::string  &reason,
                   const double        wall_time,
                   const std::uint64_t steps_done,

@@ -42,6 +42,11 @@ namespace Waker
       return has_outflow || !feeders.empty();
     }
 
+    /// Faces of the box through which material leaves or enters, by number (2d
+    /// lower, 2d + 1 upper face in direction d).
+    std::vector<bool>
+    open_faces() const;
+
     /// The boundary conditions of the parameters, and those that move the
     /// nodes of the inflows. At the edge of an opening the inflow wins.
     const std::vector<FixityParameters> &
@@ -85,7 +90,8 @@ namespace Waker
     std::string                   scheme;
     double                        ramp_duration;
     bool                          has_outflow;
-    std::vector<bool>             open_faces;
+    std::vector<bool>             outflow_faces;
+    std::vector<unsigned int>     inflow_faces;
     std::vector<Feeder<dim>>      feeders;
     std::vector<FixityParameters> all_conditions;
   };

@@ -2,6 +2,7 @@
 #ifndef waker_simulation_realisation_h
 #define waker_simulation_realisation_h
 
+#include <waker/control/outcome.h>
 #include <waker/mechanics/time_scheme.h>
 #include <waker/observers/observer.h>
 #include <waker/simulation/case.h>
@@ -36,6 +37,10 @@ namespace Waker
     /// @throws NumericalFailure if it does not converge at the smallest dt
     void
     advance();
+
+    /// What keeps the state that look() has seen from being final.
+    Unrest
+    unrest() const;
 
     /// What look() has seen. Finds the surface if nothing has needed it yet.
     StepView<dim>

@@ -2,6 +2,7 @@
 #ifndef waker_simulation_recorder_h
 #define waker_simulation_recorder_h
 
+#include <waker/control/outcome.h>
 #include <waker/observers/observer.h>
 #include <waker/output/checkpoint.h>
 #include <waker/output/pvd.h>
@@ -50,7 +51,8 @@ namespace Waker
 
     void
     write_summary(const State<dim>  &state,
-                  const std::string &outcome,
+                  const Outcome      outcome,
+                  const Unrest      &unrest,
                   const std::string &stop_reason,
                   const double       wall_time) const;
 
