@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/parameter_handler.h>
 
+#include <waker/base/errors.h>
+#include <waker/base/text.h>
 #include <waker/boundary/proximity_field.h>
 #include <waker/boundary/water_load.h>
+
+#include <cmath>
+#include <cstdlib>
 
 namespace Waker
 {
@@ -70,11 +75,23 @@ namespace Waker
                       "or right. It loads the surface from the toe on this "
                       "side up to the water level.",
                       Patterns::Selection("none|left|right"));
-    prm.add_parameter("Level",
-                      level,
-                      "Water level on the vertical axis, in m. The width of "
-                      "the dyke is measured at this level, also without water.",
-                      Patterns::Double());
+    // deal.II has no pattern for a number or a word.
+    prm.declare_entry("Level",
+                      level_text,
+                      Patterns::Anything(),
+                      "Water level on the vertical axis, in m, within the "
+                      "height of the soil. The width of the dyke is measured "
+                      "at this level, also without water. none: no level, and "
+                      "so neither water nor width; initial failure is then "
+                      "seen by the height only.");
+    prm.add_action("Level", [this](const std::string &text) {
+      level_text        = tidy(text);
+      char *end         = nullptr;
+      level             = std::strtod(level_text.c_str(), &end);
+      const bool number = !level_text.empty() && *end == '\0';
+      if (!number || !std::isfinite(level))
+        level = std::numeric_limits<double>::quiet_NaN();
+    });
     prm.add_parameter("Rise",
                       rise,
                       "Rise of the water above Level in time (m): a number, an "
@@ -94,5 +111,22 @@ namespace Waker
                       "0.5; its load otherwise goes to nodes nearby that do, "
                       "with the same resultant and moment.",
                       Patterns::Double(0., 0.5));
+  }
+
+
+
+  void
+  WaterParameters::check() const
+  {
+    if (!std::isnan(level))
+      return;
+    if (level_text != "none")
+      throw UserError("Water/Level",
+                      "\"" + level_text + "\" is no number",
+                      "a level in m, with a decimal point; or none");
+    if (side != "none")
+      throw UserError("Water/Level",
+                      "is none, but water stands on the " + side,
+                      "a level in m, or Water/Side = none");
   }
 } // namespace Waker

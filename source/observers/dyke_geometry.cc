@@ -2,6 +2,7 @@
 #include <waker/observers/dyke_geometry.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace Waker
@@ -10,11 +11,13 @@ namespace Waker
   measure_dyke(const Surface &surface, const double level)
   {
     DykeGeometry dyke;
+    dyke.level = level;
+    if (!std::isnan(level))
+      dyke.width = 0.;
 
     // Crossings of the level: (x, winding). Half-open: a vertex on the level
     // counts as below it, so that a chain crosses as often up as down.
     std::vector<std::pair<double, int>> crossings;
-    bool                                first = true;
     for (const SurfaceChain &chain : surface.chains)
       {
         const std::size_t n = chain.vertices.size();
@@ -22,8 +25,7 @@ namespace Waker
           {
             const Point<2> &a = chain.vertices[k];
             const Point<2> &b = chain.vertices[(k + 1) % n];
-            dyke.height       = first ? a[1] : std::max(dyke.height, a[1]);
-            first             = false;
+            dyke.height       = std::max(dyke.height, a[1]);
             if ((a[1] > level) == (b[1] > level))
               continue;
 

@@ -66,8 +66,11 @@ namespace Waker
         return;
       }
 
+    // W = 0 says that the soil does not rise above the level of W; water that
+    // has sunk below that level stands lower still.
     const bool floods =
-      has_water && (geometry.height < level || geometry.width == 0.);
+      has_water && (geometry.height < level ||
+                    (geometry.width == 0. && !(level < geometry.level)));
     if (floods && flooding_time < 0.)
       flooding_time = time;
 

@@ -103,7 +103,8 @@ namespace Waker
       std::vector<bool> rests(samples.size() - 1, false);
       std::size_t       done = 0; // intervals before this are decided
       for (std::size_t i = 0; i < width.size(); ++i)
-        if (width[i] <= tolerance && height[i] <= tolerance)
+        // A width that is not measured (NaN) does not change.
+        if (!(width[i] > tolerance) && height[i] <= tolerance)
           {
             for (std::size_t j = std::max(done, i); j < i + window; ++j)
               rests[j] = true;

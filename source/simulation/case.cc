@@ -5,6 +5,8 @@
 #include <waker/mapping/transfer.h>
 #include <waker/mechanics/deformation.h>
 #include <waker/mechanics/time_scheme.h>
+#include <waker/observers/dyke_geometry.h>
+#include <waker/particles/polygon.h>
 #include <waker/simulation/case.h>
 
 #include <algorithm>
@@ -106,6 +108,38 @@ namespace Waker
 
 
   template <int dim>
+  double
+  Case<dim>::checked_measuring_level(Scene<dim> &scene) const
+  {
+    const bool         has_water = parameters.water.side != "none";
+    const DykeGeometry dyke =
+      measure_dyke(scene.surfaces.chains(), parameters.water.level);
+    if (dyke.width > 0.)
+      {
+        const double water = scene.water_level(0.);
+        if (has_water && dyke.height < water)
+          throw UserError("Water/Rise",
+                          "puts the water at " + to_text(water) +
+                            " m at the start, but the soil rises to " +
+                            to_text(dyke.height) + " m: it is flooded",
+                          "less than the crest at t = 0");
+        return dyke.level;
+      }
+    if (has_water)
+      throw UserError("Water/Level",
+                      "is " + to_text(dyke.level) +
+                        " m, where there is no soil at the start: " +
+                        (dyke.height > dyke.level
+                           ? "all of it is above"
+                           : "it rises to " + to_text(dyke.height) +
+                               " m, and is flooded"),
+                      "a level within the height of the soil (or Water/Side = "
+                      "none)");
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+
+
+  template <int dim>
   void
   Case<dim>::set_initial_state()
   {
@@ -114,6 +148,8 @@ namespace Waker
     scene.set(points);
     scene.tractions.check_something_is_loaded();
     last_load_change = declared_last_load_change(scene);
+    measuring_level  = checked_measuring_level(scene);
+    water_touches    = scene.water_resultant.force.norm() > 0.;
     scene.tractions.fix_point_loads(points);
     scene.tractions.ride(points, riding_loads);
     for (std::size_t i = 0; i < scene.tractions.size(); ++i)

@@ -117,6 +117,16 @@ namespace Waker
             dim == 2 ? "m" : "m^2",
             rides ? "goes with the soil" : "stays in space");
       }
+    if (p.water.side != "none" && !the_case.water_touches)
+      say(log,
+          "  WARNING   the water touches no soil at the start, at %g m",
+          p.water.level);
+    if (p.water.side == "none" && !std::isnan(p.water.level) &&
+        std::isnan(the_case.measuring_level))
+      say(log,
+          "  WARNING   no soil at Water/Level = %g m: the width is not "
+          "measured",
+          p.water.level);
     if (the_case.last_load_change == LastChange::unknown)
       say(log,
           "  loads     change with an expression of t, perhaps to the end: "
@@ -141,6 +151,28 @@ namespace Waker
     say(log,
         "  memory    about %.0f MB for points and nodes",
         expected_memory<dim>(points.n_points(), the_case.grid.n_nodes()));
+  }
+
+
+  std::string
+  geometry_text(const FailureRecord &f)
+  {
+    char text[160];
+    if (std::isnan(f.geometry.width))
+      std::snprintf(text,
+                    sizeof text,
+                    "H %.2f -> %.2f m",
+                    f.initial_height,
+                    f.geometry.height);
+    else
+      std::snprintf(text,
+                    sizeof text,
+                    "W %.2f -> %.2f m, H %.2f -> %.2f m",
+                    f.initial_width,
+                    f.geometry.width,
+                    f.initial_height,
+                    f.geometry.height);
+    return text;
   }
 
 
@@ -178,13 +210,7 @@ namespace Waker
           state.time,
           is_decided(outcome) ? "the residual width may change"
                               : "nobody knows whether the dyke stands");
-    say(log,
-        "  W %.2f -> %.2f m, H %.2f -> %.2f m, t = %.3f s",
-        f.initial_width,
-        f.geometry.width,
-        f.initial_height,
-        f.geometry.height,
-        state.time);
+    say(log, "  %s, t = %.3f s", geometry_text(f).c_str(), state.time);
     say(log,
         "  %llu steps, %llu Newton iterations, %llu unconverged, %.2f s%s",
         static_cast<unsigned long long>(state.step),

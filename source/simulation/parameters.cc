@@ -73,12 +73,25 @@ namespace Waker
     check_water(const WaterParameters              &water,
                 const std::vector<LayerParameters> &layers)
     {
+      water.check();
       if (water.side == "none")
         return;
       double crest = std::numeric_limits<double>::lowest();
+      double base  = std::numeric_limits<double>::max();
       for (const LayerParameters &layer : layers)
         for (const std::array<double, 2> &corner : layer.corners())
-          crest = std::max(crest, corner[1]);
+          {
+            crest = std::max(crest, corner[1]);
+            base  = std::min(base, corner[1]);
+          }
+      // It would load nothing, and the soil would have no width there.
+      if (water.level < base)
+        throw UserError("Water/Level",
+                        "is " + number(water.level) +
+                          " m, below all soil, which begins at " +
+                          number(base) + " m",
+                        "at least " + number(base) +
+                          " m (or Water/Side = none)");
       if (water.level > crest)
         throw UserError("Water/Level",
                         "is " + number(water.level) +

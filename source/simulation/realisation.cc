@@ -68,7 +68,7 @@ namespace Waker
     // The width is measured at one level all the time: a rise of the water is
     // no failure.
     state->failure.update(measure_dyke(scene.surfaces.chains(),
-                                       parameters.water.level),
+                                       the_case->measuring_level),
                           state->time,
                           scene.water_level(state->time),
                           parameters.water.side != "none",

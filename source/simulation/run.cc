@@ -69,13 +69,9 @@ namespace Waker
         {
           std::snprintf(text,
                         sizeof text,
-                        "t = %.3f s: initial failure (W = %.2f m of %.2f m, "
-                        "H = %.2f m of %.2f m)",
+                        "t = %.3f s: initial failure (%s)",
                         now.initial_time,
-                        now.geometry.width,
-                        now.initial_width,
-                        now.geometry.height,
-                        now.initial_height);
+                        geometry_text(now).c_str());
           log.line(text);
         }
       if (now.flooded() && !before.flooded())
@@ -201,13 +197,13 @@ namespace Waker
                 }
               if (log.progress_due())
                 {
-                  char text[80];
+                  char text[160];
                   std::snprintf(text,
                                 sizeof text,
-                                "t = %.2f of at most %g s, W = %.2f m",
+                                "t = %.2f of at most %g s, %s",
                                 state.time,
                                 end_time,
-                                state.failure.geometry.width);
+                                geometry_text(state.failure).c_str());
                   log.progress(state.time / end_time, text);
                 }
             }

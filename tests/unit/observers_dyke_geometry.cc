@@ -2,7 +2,9 @@
 #include <waker/observers/dyke_geometry.h>
 
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 
 using namespace Waker;
 
@@ -48,6 +50,13 @@ TEST(Observers, dyke_height_and_width)
   EXPECT_EQ(measure_dyke(trapezium(), 5.5).width, 0.);
   EXPECT_TRUE(measure_dyke(trapezium(), 5.5).parts.empty());
   EXPECT_EQ(measure_dyke(Surface(), 1.).width, 0.);
+  // Lower than any level: 0 is one.
+  EXPECT_LT(measure_dyke(Surface(), 1.).height, -1e300);
+
+  // No level, no width.
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(std::isnan(measure_dyke(trapezium(), none).width));
+  EXPECT_EQ(measure_dyke(trapezium(), none).height, 5.);
 }
 
 

@@ -2,6 +2,7 @@
 #include <waker/observers/failure_record.h>
 
 #include <gtest/gtest.h>
+#include <limits>
 
 using namespace Waker;
 
@@ -133,4 +134,49 @@ TEST(Observers, first_times_stay)
   EXPECT_EQ(record.flooding_time, 5.);
   EXPECT_EQ(record.initial_time, 2.);
   EXPECT_EQ(record.initial_time_thesis, 3.);
+}
+
+
+TEST(Observers, no_soil_at_all_is_flooded_at_any_level)
+{
+  for (const double h : {4.75, -4.75})
+    {
+      FailureRecord record;
+      record.update(dyke(11.25, h + 0.25), 0., h, true, limits);
+      DykeGeometry gone;
+      gone.level = h;
+      gone.width = 0.;
+      record.update(gone, 2., h, true, limits);
+      EXPECT_EQ(record.flooding_time, 2.);
+      EXPECT_EQ(record.initial_time, 2.);
+    }
+}
+
+
+TEST(Observers, a_crest_below_the_level_of_w_stands_above_water_that_has_sunk)
+{
+  FailureRecord record;
+  DykeGeometry  geometry = dyke(11.25, 5.);
+  geometry.level         = level;
+  record.update(geometry, 0., level, true, limits);
+  geometry.width  = 0.;
+  geometry.height = 4.5;
+  record.update(geometry, 2., level - 2., true, limits);
+  EXPECT_TRUE(record.failed());
+  EXPECT_FALSE(record.flooded());
+  record.update(geometry, 3., level, true, limits);
+  EXPECT_EQ(record.flooding_time, 3.);
+}
+
+
+TEST(Observers, without_a_width_the_height_tells)
+{
+  const double  none = std::numeric_limits<double>::quiet_NaN();
+  FailureRecord record;
+  record.update(dyke(none, 5.), 0., none, false, limits);
+  record.update(dyke(none, 4.8), 1., none, false, limits);
+  EXPECT_FALSE(record.failed());
+  record.update(dyke(none, 4.7), 2., none, false, limits);
+  EXPECT_EQ(record.initial_time, 2.);
+  EXPECT_EQ(record.initial_time_thesis, -1.);
 }

@@ -72,7 +72,7 @@ namespace
       }
     catch (const UserError &error)
       {
-        return error.where + ": " + error.what;
+        return error.where + ": " + error.problem;
       }
     return "";
   }

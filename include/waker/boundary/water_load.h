@@ -8,6 +8,7 @@
 #include <waker/grid/background_grid.h>
 #include <waker/nodes/nodal_vector.h>
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,8 +26,8 @@ namespace Waker
     /// "none", "left" or "right": on which side the water stands.
     std::string side = "none";
     /// Level (m) on the vertical axis at which the dyke's width is measured,
-    /// and to which `rise` is added.
-    double level = 0.;
+    /// and to which `rise` is added. NaN: none, allowed without water.
+    double level = std::numeric_limits<double>::quiet_NaN();
     /// Rise of the level in time (m): see base/time_function.h.
     std::string rise = "0";
     /// Unit weight (kN/m^3).
@@ -42,8 +43,16 @@ namespace Waker
       return side == "right" ? -1 : 1;
     }
 
+    /// What the user wrote for `level`: read by the parameter handler, judged
+    /// by check().
+    std::string level_text = "none";
+
     void
     add_parameters(ParameterHandler &prm);
+
+    /// @throws UserError "Water/Level" if it is no number, or missing
+    void
+    check() const;
   };
 
   /// What the water does to the body, for checks and output. Per m of length

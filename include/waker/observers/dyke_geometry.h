@@ -5,6 +5,7 @@
 #include <waker/boundary/surface.h>
 
 #include <array>
+#include <limits>
 #include <vector>
 
 namespace Waker
@@ -15,18 +16,21 @@ namespace Waker
    */
   struct DykeGeometry
   {
-    /// H: highest vertex of all chains, on the vertical axis (m); 0 if there
-    /// is no surface.
-    double height = 0.;
-    /// W: total width of the soil that rises above the water level, at that
-    /// level (m). A crest exactly at the level counts as not above it.
-    double width = 0.;
+    /// H: highest vertex of all chains, on the vertical axis (m). No soil is
+    /// lower than any level: -infinity.
+    double height = -std::numeric_limits<double>::infinity();
+    /// Where W is measured (m); NaN: nowhere.
+    double level = std::numeric_limits<double>::quiet_NaN();
+    /// W: total width of the soil that rises above the level, at that level
+    /// (m). A crest exactly at the level counts as not above it. NaN if there
+    /// is no level.
+    double width = std::numeric_limits<double>::quiet_NaN();
     /// The intervals [x0, x1] of soil at the water level, from left to right:
     /// W may be a sum of parts (fig. 5.2e).
     std::vector<std::array<double, 2>> parts;
   };
 
-  /// @param level water level (m). Holes count as no soil.
+  /// @param level (m) at which W is measured, or NaN. Holes count as no soil.
   DykeGeometry
   measure_dyke(const Surface &surface, const double level);
 } // namespace Waker

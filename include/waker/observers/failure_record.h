@@ -88,8 +88,8 @@ namespace Waker
   struct FailureRecord : FailureEvents
   {
     bool         started        = false;
-    double       initial_width  = 0.; // W_i, m
-    double       initial_height = 0.; // H_i, m
+    double       initial_width  = 0.; // W_i, m; NaN: not measured
+    double       initial_height = 0.; // H_i, m, on the vertical axis
     DykeGeometry geometry;            // the last one measured
 
     /**

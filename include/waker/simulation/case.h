@@ -57,10 +57,18 @@ namespace Waker
     /// The last time at which a load changes (s): as known from the loads, or
     /// as the user says; see LastChange.
     double last_load_change = LastChange::never;
+    /// Where W is measured (m); NaN: nowhere, as there is no level, or no soil
+    /// at it.
+    double measuring_level = std::numeric_limits<double>::quiet_NaN();
+    /// Does the water load anything at t = 0?
+    bool water_touches = false;
 
   private:
     double
     declared_last_load_change(const Scene<dim> &scene) const;
+
+    double
+    checked_measuring_level(Scene<dim> &scene) const;
 
     void
     set_initial_state();

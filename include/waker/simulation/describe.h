@@ -18,6 +18,11 @@ namespace Waker
   void
   describe_case(const Case<dim> &the_case, Log &log);
 
+  /// "W 18.75 -> 11.02 m, H 5.00 -> 4.81 m", without W where it is not
+  /// measured.
+  std::string
+  geometry_text(const FailureRecord &failure);
+
   /// What came out, in a few lines.
   /// @param wall_time, steps_done of this start of the program
   template <int dim>
