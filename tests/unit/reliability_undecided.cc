@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/reliability/estimates.h>
+#include <waker/reliability/realisation_runner.h>
+
+#include "reliability_random_dyke.h"
+#include <gtest/gtest.h>
+
+// What campaigns make of dykes whose water rises late.
+
+namespace
+{
+  using namespace Waker;
+  using namespace RandomDyke;
+
+  std::vector<Record>
+  campaign(const std::vector<std::string> &more)
+  {
+    std::vector<std::string> settings = {field + "Mean=16",
+                                         "Time stepping/Time step=0.05",
+                                         "Water/Level=4.5",
+                                         "Water/Rise=0: 0, 3: 0, 4: 2"};
+    settings.insert(settings.end(), more.begin(), more.end());
+    const auto           input = coarse(settings);
+    RealisationRunner<2> runner(input->simulation,
+                                input->reliability.fields,
+                                1,
+                                MPI_COMM_SELF);
+    std::vector<Record>  records;
+    for (std::uint64_t i = 0; i < 3; ++i)
+      records.push_back(*runner.run(1, i, nullptr));
+    return records;
+  }
+
+
+  TEST(RealisationRunner, water_that_rises_late_floods_every_dyke)
+  {
+    const std::vector<Record> records = campaign({});
+    for (const Record &record : records)
+      {
+        EXPECT_EQ(record.outcome, Outcome::flooding);
+        EXPECT_GT(record.flooding_time, 3.1);
+        EXPECT_LT(record.flooding_time, 3.5);
+      }
+    EXPECT_EQ(estimate(records).by_geometry.flooding.estimate, 1.);
+  }
+
+
+  TEST(RealisationRunner, an_end_before_the_water_rises_decides_nothing)
+  {
+    const std::vector<Record> records =
+      campaign({"Time stepping/End time=2.5"});
+    for (const Record &record : records)
+      {
+        EXPECT_EQ(record.outcome, Outcome::loads_change);
+        ASSERT_TRUE(record.unrest);
+        EXPECT_TRUE(record.unrest->loads_change);
+        EXPECT_FALSE(record.unrest->at_box);
+      }
+    const ScenarioEstimate e = estimate(records);
+    EXPECT_EQ(e.n, 0u);
+    EXPECT_EQ(e.n_loads_change, 3u);
+    EXPECT_EQ(e.if_all_failed.flooding.estimate, 1.);
+    EXPECT_EQ(e.if_none_failed.flooding.estimate, 0.);
+  }
+
+
+  TEST(RealisationRunner, a_slide_that_is_cut_short_is_not_final)
+  {
+    const std::vector<Record> records = campaign(
+      {"Water/Rise=0", field + "Mean=8", "Stop rules/On initial failure=true"});
+    for (const Record &record : records)
+      {
+        EXPECT_EQ(record.outcome, Outcome::initial_failure);
+        ASSERT_TRUE(record.unrest);
+        EXPECT_TRUE(record.unrest->moving);
+      }
+    const ScenarioEstimate e = estimate(records);
+    EXPECT_EQ(e.n, 3u);
+    EXPECT_EQ(e.n_not_final, 3u);
+    EXPECT_EQ(e.by_geometry.initial.estimate, 1.);
+    EXPECT_EQ(e.by_geometry.flooding.estimate, 0.);
+    EXPECT_EQ(e.if_all_failed.flooding.estimate, 1.);
+  }
+} // namespace
