@@ -68,7 +68,8 @@ def colour(display, choice, field, view, is_vector):
     bar.WindowLocation = "Any Location"
     bar.ScalarBarLength = 0.5
     bar.ScalarBarThickness = 14
-    bar.Position = [0.25, 0.03]
+    # Names stand below the bar, numbers above it.
+    bar.Position = [0.25, 0.03 if field.names is None else 0.11]
     bar.TitleColor = bar.LabelColor = [0.0, 0.0, 0.0]
     bar.Title = field.label
     bar.ComponentTitle = ""
