@@ -75,8 +75,16 @@ namespace Waker
         erase_bar();
         *screen << text << '\n' << std::flush;
       }
-    if (file.is_open())
-      file << text << '\n' << std::flush;
+    if (file.is_open() && !(file << text << '\n' << std::flush))
+      {
+        // No reason to end a run; what is read is written elsewhere, and
+        // checked.
+        file.clear();
+        if (screen != nullptr && !file_failed)
+          *screen << "The log file cannot be written: " << std::strerror(errno)
+                  << std::endl;
+        file_failed = true;
+      }
   }
 
 

@@ -54,7 +54,7 @@ namespace Waker
                       "between chains; in 3D an STL file. For the points "
                       "methods it may be the surface that the loads stand for; "
                       "empty: the outline of the support domains.",
-                      Patterns::Anything());
+                      Patterns::FileName(Patterns::FileName::input));
     prm.add_parameter("Kind",
                       kind,
                       "vector: a constant direction. pressure: against the "

@@ -98,7 +98,7 @@ namespace Waker
       "File of measured values, one \"x, y, value\" (3D: \"x, y, "
       "z, value\"; m, kPa) a line: every realisation has them "
       "there. Empty: none.",
-      Patterns::Anything());
+      Patterns::FileName(Patterns::FileName::input));
     prm.add_parameter("Measurement error",
                       measurement_error,
                       "Standard deviation of the measurements, as a share of "

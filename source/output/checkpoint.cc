@@ -3,6 +3,7 @@
 #include <waker/base/version.h>
 #include <waker/output/checkpoint.h>
 #include <waker/output/files.h>
+#include <waker/output/output_files.h>
 
 #include <boost/crc.hpp>
 #include <cerrno>
@@ -121,21 +122,14 @@ namespace Waker
   std::string
   CheckpointSlots::slot_path(const unsigned int slot) const
   {
-    return join_path(directory,
-                     "checkpoints/checkpoint-" + std::to_string(slot) + ".bin");
+    return join_path(directory, checkpoint_name(slot));
   }
 
 
   void
   CheckpointSlots::write(const std::uint64_t step, const std::string &blob)
   {
-    const std::string folder = join_path(directory, "checkpoints");
-    std::error_code   error;
-    std::filesystem::create_directories(folder, error);
-    if (error)
-      throw UserError("Output/Directory",
-                      "cannot make '" + folder + "': " + error.message(),
-                      "a writable folder");
+    make_folder(std::filesystem::path(slot_path(next_slot)).parent_path());
 
     std::string payload;
     payload.reserve(blob.size() + 256);
@@ -204,10 +198,12 @@ namespace Waker
       throw UserError(where,
                       "the checkpoint in '" + directory +
                         "' belongs to another case (its parameters have hash " +
-                        newest.case_hash + ", yours " + case_hash + ")",
-                      "the parameters of that run, see parameters.prm there; "
-                      "only 'Output', 'Stop rules' and the end time may "
-                      "differ");
+                        newest.case_hash + ", yours " + case_hash +
+                        "): a parameter or the contents of an input file "
+                        "differ",
+                      "the parameters of that run, see parameters.prm there, "
+                      "and the same input files; only what the manual lists "
+                      "under \"Resuming\" may differ");
     if (!damaged.empty())
       warning = "checkpoint " + damaged +
                 " is damaged; going on from the older one, step " +

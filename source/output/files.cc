@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstring>
 #include <fcntl.h>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <unistd.h>
@@ -14,16 +15,6 @@ namespace Waker
 {
   namespace
   {
-    [[noreturn]] void
-    throw_cannot_write(const std::string &path, const int error)
-    {
-      throw UserError("Output/Directory",
-                      "cannot write '" + path + "': " + std::strerror(error),
-                      "a writable folder with enough space");
-    }
-
-
-
     /// fsync of a file or folder, by name.
     bool
     sync_path(const std::string &path)
@@ -36,6 +27,27 @@ namespace Waker
       return good;
     }
   } // namespace
+
+
+
+  void
+  throw_cannot_write(const std::string &path, const int error)
+  {
+    throw UserError("Output/Directory",
+                    "cannot write '" + path + "': " + std::strerror(error),
+                    "a writable folder with enough space");
+  }
+
+
+
+  void
+  make_folder(const std::string &path)
+  {
+    std::error_code error;
+    std::filesystem::create_directories(path, error);
+    if (error)
+      throw_cannot_write(path, error.value());
+  }
 
 
 
@@ -88,12 +100,21 @@ namespace Waker
   std::string
   read_file(const std::string &path)
   {
-    std::ifstream      file(path, std::ios::binary);
-    std::ostringstream contents;
-    if (file)
-      contents << file.rdbuf();
+    const auto refuse = [&path](const std::string &why) {
+      throw UserError(path, "cannot be read" + why, "a readable file");
+    };
+    std::error_code error;
+    if (std::filesystem::is_directory(path, error))
+      refuse(": it is a folder");
+    errno = 0;
+    std::ifstream file(path, std::ios::binary);
     if (!file)
-      throw UserError(path, "cannot be read", "a readable file");
+      refuse(errno != 0 ? std::string(": ") + std::strerror(errno) : "");
+    std::ostringstream contents;
+    if (file.peek() != std::ifstream::traits_type::eof())
+      contents << file.rdbuf();
+    if (file.bad() || contents.fail())
+      refuse(errno != 0 ? std::string(": ") + std::strerror(errno) : "");
     return contents.str();
   }
 
@@ -105,5 +126,74 @@ namespace Waker
     if (folder.empty())
       return name;
     return folder.back() == '/' ? folder + name : folder + "/" + name;
+  }
+
+
+
+  AppendFile::AppendFile(const std::string &path, const bool empty)
+    : name(path)
+  {
+    do
+      descriptor = ::open(path.c_str(),
+                          O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC |
+                            O_NOFOLLOW | (empty ? O_TRUNC : 0),
+                          0666);
+    while (descriptor < 0 && errno == EINTR);
+    if (descriptor < 0)
+      throw_cannot_write(path, errno);
+    const off_t end = ::lseek(descriptor, 0, SEEK_END);
+    length          = end > 0 ? static_cast<std::uint64_t>(end) : 0;
+  }
+
+
+
+  AppendFile::AppendFile(const std::string &path, const int descriptor)
+    : name(path)
+    , descriptor(descriptor)
+  {}
+
+
+
+  AppendFile::~AppendFile()
+  {
+    if (descriptor >= 0)
+      ::close(descriptor);
+  }
+
+
+
+  bool
+  AppendFile::write(const std::string &text)
+  {
+    // One call takes the whole text, unless the disk becomes full in it.
+    std::size_t written = 0;
+    while (written < text.size())
+      {
+        const ssize_t n =
+          ::write(descriptor, text.data() + written, text.size() - written);
+        if (n > 0)
+          written += static_cast<std::size_t>(n);
+        else if (n == 0 || errno != EINTR)
+          {
+            const int error = n == 0 ? ENOSPC : errno;
+            // A part of a line would spoil the next one. If this fails, too,
+            // then readers drop the part.
+            if (::ftruncate(descriptor, static_cast<off_t>(length)) != 0)
+              {}
+            errno = error;
+            return false;
+          }
+      }
+    length += text.size();
+    return true;
+  }
+
+
+
+  bool
+  AppendFile::sync()
+  {
+    // Pipes and devices cannot.
+    return ::fsync(descriptor) == 0 || errno == EINVAL;
   }
 } // namespace Waker

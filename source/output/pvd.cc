@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/output/files.h>
+#include <waker/output/output_files.h>
 #include <waker/output/pvd.h>
 
 #include <cstdio>
@@ -7,28 +8,16 @@
 
 namespace Waker
 {
-  namespace
-  {
-    std::string
-    file_of(const std::string &name, const std::size_t number)
-    {
-      char digits[24];
-      std::snprintf(digits, sizeof(digits), "%05zu", number);
-      return "solution/" + name + "-" + digits + ".vtu";
-    }
-  } // namespace
-
-
-  PvdSeries::PvdSeries(const std::string &folder, const std::string &name)
+  PvdSeries::PvdSeries(const std::string &folder, const FieldSeries fields)
     : folder(folder)
-    , name(name)
+    , fields(fields)
   {}
 
 
   std::string
   PvdSeries::next_file() const
   {
-    return file_of(name, series.size());
+    return frame_name(fields, series.size());
   }
 
 
@@ -57,7 +46,7 @@ namespace Waker
     std::error_code ignored;
     for (std::size_t number = series.size();; ++number)
       {
-        const std::string path = join_path(folder, file_of(name, number));
+        const std::string path = join_path(folder, frame_name(fields, number));
         std::filesystem::remove(path + ".tmp", ignored);
         if (!std::filesystem::remove(path, ignored))
           break;
@@ -66,7 +55,8 @@ namespace Waker
     if (!series.empty())
       write_pvd();
     else
-      std::filesystem::remove(join_path(folder, name + ".pvd"), ignored);
+      std::filesystem::remove(join_path(folder, series_name(fields) + ".pvd"),
+                              ignored);
   }
 
 
@@ -85,6 +75,6 @@ namespace Waker
                 "\" group=\"\" part=\"0\" file=\"" + entry.file + "\"/>\n";
       }
     text += "</Collection>\n</VTKFile>\n";
-    write_file(join_path(folder, name + ".pvd"), text);
+    write_file(join_path(folder, series_name(fields) + ".pvd"), text);
   }
 } // namespace Waker

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/exceptions.h>
 
-#include <waker/base/errors.h>
 #include <waker/output/files.h>
 #include <waker/output/statistics.h>
 
 #include <cerrno>
 #include <charconv>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 
 namespace Waker
@@ -29,18 +27,6 @@ namespace Waker
         return "";
       return line.substr(colon + 2);
     }
-
-
-    std::ofstream
-    open(const std::string &path, const std::ios::openmode mode)
-    {
-      std::ofstream file(path, mode | std::ios::binary);
-      if (!file)
-        throw UserError("Output/Directory",
-                        "cannot write '" + path + "': " + std::strerror(errno),
-                        "a writable folder with enough space");
-      return file;
-    }
   } // namespace
 
 
@@ -48,7 +34,7 @@ namespace Waker
     : path(path)
   {
     if (!path.empty())
-      file = open(path, std::ios::trunc);
+      file = std::make_unique<AppendFile>(path, /* empty = */ true);
   }
 
 
@@ -86,15 +72,16 @@ namespace Waker
         header_written = !names.empty();
         write_file(path, kept);
       }
-    file = open(path, std::ios::app);
+    file = std::make_unique<AppendFile>(path, /* empty = */ false);
   }
 
 
   Statistics::~Statistics()
   {
-    // flush() throws, a destructor must not.
-    if (file.is_open())
-      file << buffer;
+    // flush() throws, a destructor must not. A row that is not complete is
+    // none.
+    if (file != nullptr)
+      file->write(buffer.substr(0, buffer.rfind('\n') + 1));
   }
 
 
@@ -160,7 +147,7 @@ namespace Waker
     buffer += '\n';
     if (!header_written)
       write_header();
-    if (!file.is_open())
+    if (file == nullptr)
       buffer.clear();
     else if (buffer.size() > buffer_limit)
       flush();
@@ -170,13 +157,12 @@ namespace Waker
   void
   Statistics::flush()
   {
-    if (!file.is_open())
+    if (file == nullptr)
       return;
-    file << buffer;
+    // Whole rows: on a full disk the file ends with the last one that it had.
+    const bool good = file->write(buffer);
     buffer.clear();
-    if (!file.flush())
-      throw UserError("Output/Directory",
-                      "cannot write '" + path + "': " + std::strerror(errno),
-                      "a writable folder with enough space");
+    if (!good)
+      throw_cannot_write(path, errno);
   }
 } // namespace Waker

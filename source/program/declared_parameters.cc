@@ -83,6 +83,14 @@ namespace Waker
   }
 
 
+  bool
+  DeclaredParameter::is_input_file() const
+  {
+    const auto input = Patterns::FileName(Patterns::FileName::input);
+    return pattern == input.description();
+  }
+
+
   void
   declare_parameters(ParameterHandler     &prm,
                      Input                &input,

@@ -4,25 +4,35 @@
 #include <waker/output/files.h>
 #include <waker/program/parameter_hash.h>
 
+#include <algorithm>
+
 namespace Waker
 {
+  const std::vector<std::string> &
+  sections_free_at_resume()
+  {
+    static const std::vector<std::string> sections = {"Output",
+                                                      "Stop rules",
+                                                      "Strength reduction",
+                                                      "Campaign",
+                                                      "Sweep",
+                                                      "Snapshots",
+                                                      "Slides",
+                                                      "Histograms",
+                                                      "Risk"};
+    return sections;
+  }
+
+
   namespace
   {
     bool
     decides_steps(const DeclaredParameter &parameter)
     {
-      for (const char *const section : {"Output",
-                                        "Stop rules",
-                                        "Strength reduction",
-                                        "Campaign",
-                                        "Sweep",
-                                        "Snapshots",
-                                        "Slides",
-                                        "Histograms",
-                                        "Risk"})
-        if (parameter.section == section)
-          return false;
-      return parameter.path() != "Time stepping/End time";
+      const auto &free = sections_free_at_resume();
+      return std::find(free.begin(), free.end(), parameter.section) ==
+               free.end() &&
+             parameter.path() != "Time stepping/End time";
     }
 
 
@@ -36,12 +46,21 @@ namespace Waker
     }
 
 
-    /// Does it name a file whose contents decide?
-    bool
-    names_a_file(const DeclaredParameter &parameter)
+    std::string
+    contents(const DeclaredParameter &parameter)
     {
-      return parameter.section.rfind("Random fields/", 0) == 0 &&
-             parameter.name == "Measurements" && !parameter.value.empty();
+      try
+        {
+          return read_file(parameter.value);
+        }
+      catch (const UserError &error)
+        {
+          throw UserError(parameter.path(),
+                          "'" + parameter.value + "': " + error.problem,
+                          error.allowed +
+                            "; a relative path begins in the folder in which "
+                            "waker is started");
+        }
     }
 
 
@@ -53,20 +72,11 @@ namespace Waker
       std::string text;
       for (const DeclaredParameter &parameter : parameters)
         if (counts(parameter))
-          {
-            text += parameter.path() + "=" + parameter.value + "\n";
-            if (names_a_file(parameter))
-              try
-                {
-                  text += hash_of_text(read_file(parameter.value)) + "\n";
-                }
-              catch (const UserError &error)
-                {
-                  throw UserError(parameter.path(),
-                                  "'" + parameter.value + "': " + error.problem,
-                                  error.allowed);
-                }
-          }
+          text += parameter.path() + "=" +
+                  (parameter.is_input_file() && !parameter.value.empty()
+                     ? "contents " + hash_of_text(contents(parameter))
+                     : parameter.value) +
+                  "\n";
       return hash_of_text(text);
     }
   } // namespace

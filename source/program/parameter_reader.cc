@@ -5,6 +5,7 @@
 #include <waker/program/declared_parameters.h>
 #include <waker/program/parameter_hash.h>
 #include <waker/program/parameter_reader.h>
+#include <waker/program/parameter_text.h>
 #include <waker/program/prm_scanner.h>
 #include <waker/program/suggestions.h>
 #include <waker/reliability/input.h>
@@ -210,12 +211,8 @@ namespace Waker
           map.lines[entry.path()] = entry.where;
         }
 
-      std::ostringstream text;
-      prm.print_parameters(text,
-                           ParameterHandler::ShortPRM |
-                             ParameterHandler::KeepDeclarationOrder);
       const std::vector<DeclaredParameter> values = declared_parameters(prm);
-      input->simulation.text                      = text.str();
+      input->simulation.text = text_of_parameters(prm, values);
 
       try
         {

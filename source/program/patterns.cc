@@ -105,8 +105,9 @@ namespace Waker
           words += (words.empty() ? "one of " : ", ") + choice;
         return words;
       }
+    if (starts_with(pattern, "[FileName"))
+      return "the name of a file";
     if (starts_with(pattern, "[Anything") ||
-        starts_with(pattern, "[FileName") ||
         starts_with(pattern, "[DirectoryName"))
       return "any text";
     return pattern;

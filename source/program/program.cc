@@ -3,13 +3,13 @@
 
 #include <waker/base/errors.h>
 #include <waker/base/log.h>
-#include <waker/output/files.h>
 #include <waker/program/command_line.h>
 #include <waker/program/compute.h>
 #include <waker/program/exit_codes.h>
 #include <waker/program/parameter_printer.h>
 #include <waker/program/parameter_reader.h>
 #include <waker/program/program.h>
+#include <waker/reliability/campaign_files.h>
 #include <waker/reliability/campaign_folder.h>
 
 #include <fstream>
@@ -23,8 +23,9 @@ namespace Waker
     int
     read_campaign(const CommandLine &line)
     {
-      const std::string parameters = join_path(line.file, "parameters.prm");
-      const std::string campaign   = join_path(line.file, "campaign.json");
+      const std::string parameters =
+        campaign_path(line.file, CampaignFile::parameters);
+      const std::string campaign = campaign_path(line.file, CampaignFile::info);
       if (!std::ifstream(campaign))
         throw UserError(line.file,
                         "holds no campaign: no campaign.json can be read",

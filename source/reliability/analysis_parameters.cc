@@ -68,7 +68,7 @@ namespace Waker
                       "linear in the logarithm between the levels and beyond "
                       "them. A relative path begins in the folder in which "
                       "waker is started.",
-                      Patterns::Anything());
+                      Patterns::FileName(Patterns::FileName::input));
     prm.add_parameter("Allowed probability",
                       allowed_probability,
                       "Allowed probability of flooding P_s, 0 to 1 (per year "

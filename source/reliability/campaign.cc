@@ -4,10 +4,11 @@
 #include <waker/base/log.h>
 #include <waker/output/files.h>
 #include <waker/output/summary.h>
+#include <waker/reliability/campaign_files.h>
 #include <waker/reliability/campaign_folder.h>
 #include <waker/reliability/campaign_text.h>
+#include <waker/reliability/folder_watch.h>
 #include <waker/reliability/journal.h>
-#include <waker/reliability/progress.h>
 #include <waker/reliability/realisation_runner.h>
 #include <waker/reliability/report.h>
 #include <waker/reliability/schedule.h>
@@ -63,40 +64,11 @@ namespace Waker
     log_name(const CampaignOptions &options)
     {
       if (options.n_chunks > 1)
-        return "log-" + std::to_string(options.chunk) + "-of-" +
-               std::to_string(options.n_chunks) + ".txt";
+        return chunk_log_name(options.chunk, options.n_chunks);
       if (options.first > 0 || options.last != std::uint64_t(-1))
-        return "log-from-" + std::to_string(options.first) + ".txt";
-      return "log.txt";
+        return interval_log_name(options.first);
+      return file_name(OutputFile::log);
     }
-
-
-    /// Where a campaign stands, by the journals in its folder.
-    class FolderWatch
-    {
-    public:
-      FolderWatch(const std::string        &folder,
-                  const std::string        &hash,
-                  const CampaignParameters &parameters,
-                  const unsigned int        n_scenarios)
-        : progress(parameters, n_scenarios)
-        , reader(folder, hash)
-      {
-        poll();
-      }
-
-      void
-      poll()
-      {
-        for (const Record &record : reader.poll())
-          progress.add(record);
-      }
-
-      Progress progress;
-
-    private:
-      JournalReader reader;
-    };
 
 
     template <int dim>
@@ -141,6 +113,7 @@ namespace Waker
                   const std::string     &folder,
                   const std::string     &hash,
                   const MPI_Comm         communicator,
+                  const CampaignWriter  &campaign_writer,
                   FolderWatch           &watch,
                   Work                  &work,
                   Log                   &log)
@@ -163,6 +136,14 @@ namespace Waker
             }
           if (task.realisation >= progress.end(task.scenario) ||
               progress.is_done(task.scenario, task.realisation))
+            continue;
+          // Another process may be at it, or have finished it just now.
+          const auto claim =
+            campaign_writer.claim(task.scenario, task.realisation);
+          if (!claim)
+            continue;
+          watch.poll();
+          if (progress.is_done(task.scenario, task.realisation))
             continue;
 
           std::optional<Record> record =
@@ -218,14 +199,16 @@ namespace Waker
 
     Log log =
       rank == 0 ? Log(std::cout, n_ranks == 1 && Log::is_terminal()) : Log();
+    std::unique_ptr<CampaignWriter> campaign_writer;
     if (rank == 0 && !options.validate_only)
       {
-        const std::string warning =
+        PreparedFolder prepared =
           prepare_campaign_folder(folder, info, options);
+        campaign_writer = std::move(prepared.writer);
         log.open_file(join_path(folder, log_name(options)),
                       options.resume || options.is_part);
-        if (!warning.empty())
-          log.line(warning);
+        if (!prepared.warning.empty())
+          log.line(prepared.warning);
       }
     describe_case(runners[0]->first_case(), log);
     for (const std::string &line : runners[0]->properties().description())
@@ -237,12 +220,18 @@ namespace Waker
         return CampaignStatus::completed;
       }
     MPI_Barrier(communicator); // the folder is there
+    if (rank != 0)
+      campaign_writer = std::make_unique<CampaignWriter>(folder);
 
     FolderWatch watch(folder, info.hash, parameters, scenarios.size());
     Progress   &progress = watch.progress;
     if (progress.n_done() > 0)
       log.line("Found " + std::to_string(progress.n_done()) +
                " finished realisations.");
+    if (watch.n_damaged() > 0)
+      log.line(std::to_string(watch.n_damaged()) +
+               " damaged line(s) of journals dropped (waker status says "
+               "which); what is missing is computed again.");
 
     Work       work;
     const auto start    = std::chrono::steady_clock::now();
@@ -254,6 +243,7 @@ namespace Waker
       folder,
       info.hash,
       communicator,
+      *campaign_writer,
       watch,
       work,
       log);

@@ -2,12 +2,16 @@
 #include <waker/base/errors.h>
 #include <waker/base/log.h>
 #include <waker/output/files.h>
+#include <waker/output/folder_lock.h>
+#include <waker/output/output_files.h>
 #include <waker/output/output_folder.h>
+#include <waker/reliability/campaign_files.h>
 #include <waker/reliability/campaign_folder.h>
 
-#include <algorithm>
+#include <chrono>
 #include <filesystem>
-#include <vector>
+#include <thread>
+#include <utility>
 
 namespace Waker
 {
@@ -22,10 +26,13 @@ namespace Waker
     }
 
 
+    const std::string preparation = "waker campaign, which begins";
+
+
     std::string
     info_path(const std::string &folder)
     {
-      return join_path(folder, "campaign.json");
+      return campaign_path(folder, CampaignFile::info);
     }
 
 
@@ -49,7 +56,7 @@ namespace Waker
         {
           const std::string name = entry->path().filename().string();
           if (name.rfind("campaign.json", 0) != 0 &&
-              name.rfind("parameters.prm", 0) != 0)
+              name.rfind("parameters.prm", 0) != 0 && name != lock_name)
             return has_campaign(folder); // complete by now
         }
       return !error;
@@ -75,68 +82,26 @@ namespace Waker
     }
 
 
-    /// "log-2-of-10.txt" or "log-from-500.txt"?
-    bool
-    is_log_of_part(const std::string &name)
+    /// The lock that a campaign holds while it makes its folder ready. Others
+    /// that do the same are waited for.
+    FolderLock
+    lock_for_preparation(const std::string &folder)
     {
-      if (is_numbered(name, "log-from-", ".txt"))
-        return true;
-      const std::string of = "-of-";
-      const std::size_t at = name.find(of);
-      return at != std::string::npos &&
-             is_numbered(name.substr(0, at), "log-", "") &&
-             is_numbered(name.substr(at), of, ".txt");
-    }
-
-
-    /// The files that write_report() makes.
-    std::vector<std::string>
-    report_files()
-    {
-      return {"realisations.csv",
-              "probabilities.csv",
-              "probability_time.csv",
-              "convergence.csv",
-              "histograms.csv",
-              "residual_resistance_width.csv",
-              "classes.csv",
-              "event_tree.csv",
-              "fragility.csv",
-              "fragility_curve.csv",
-              "fragility_beta.csv",
-              "report.json"};
-    }
-
-
-    /// The files of a campaign, by name; anything else stays.
-    void
-    remove_campaign(const std::string &folder)
-    {
-      const auto is_one_of = [](const std::vector<std::string> &ours) {
-        return [ours](const std::string &name) {
-          return std::find(ours.begin(), ours.end(), name) != ours.end();
-        };
-      };
-      remove_files(
-        folder,
-        is_one_of(
-          {"campaign.json", "parameters.prm", "log.txt", "results.h5"}));
-      remove_files(folder, is_log_of_part);
-      remove_files(folder, [](const std::string &name) {
-        return is_numbered(name, "journal-", ".jsonl");
-      });
-      const std::string report = join_path(folder, "report");
-      remove_files(report, is_one_of(report_files()));
-
-      // Snapshots are run folders of their own. What is not empty stays.
-      const std::string snapshots = join_path(folder, "snapshots");
-      std::error_code   ignored;
-      if (fs::is_directory(snapshots, ignored))
-        for (const auto &entry : fs::directory_iterator(snapshots))
-          if (entry.is_directory())
-            remove_run_folder(entry.path().string());
-      fs::remove(snapshots, ignored);
-      fs::remove(report, ignored);
+      const std::string path = join_path(folder, lock_name);
+      for (unsigned int attempt = 0;; ++attempt)
+        {
+          FolderLock lock(path, preparation);
+          if (lock.state() == FolderLock::State::held &&
+              (lock.holder().what == preparation ||
+               lock.holder().host.empty()) &&
+              attempt < 600)
+            {
+              std::this_thread::sleep_for(std::chrono::milliseconds(50));
+              continue;
+            }
+          require_lock(folder, path, lock.state(), lock.holder());
+          return lock;
+        }
     }
   } // namespace
 
@@ -146,11 +111,17 @@ namespace Waker
                         const CampaignInfo    &info,
                         const CampaignOptions &options)
   {
+    if (options.overwrite)
+      refuse_writers(folder);
+    if (options.overwrite || has_campaign(folder))
+      refuse_links(folder, files_of_campaign(folder));
     const bool joins = options.resume || options.is_part;
     if (has_campaign(folder) && joins)
       {
         check_output_folder(folder, FolderMode::resume);
-        check_same(folder, info);
+        // A damaged one is written anew: the journals know their campaign.
+        if (CampaignInfo::is_whole(info_path(folder)) || !options.resume)
+          check_same(folder, info);
         return;
       }
     if (options.resume && !options.is_part)
@@ -171,42 +142,57 @@ namespace Waker
   }
 
 
-  std::string
+  namespace
+  {
+    /// With the lock held. @return a warning, or nothing
+    std::string
+    write_campaign_files(const std::string     &folder,
+                         const CampaignInfo    &info,
+                         const CampaignOptions &options)
+    {
+      check_campaign_folder(folder, info, options);
+      remove_dead_writers(folder);
+      std::string warning;
+      if (options.overwrite)
+        remove_files(folder, files_of_campaign(folder));
+      else if (has_campaign(folder) &&
+               !CampaignInfo::is_whole(info_path(folder)))
+        warning = "campaign.json was damaged; it is written anew.";
+      else if (has_campaign(folder))
+        {
+          const CampaignInfo old = CampaignInfo::read(info_path(folder));
+          if (old.version != info.version || old.compiler != info.compiler ||
+              old.build_flags != info.build_flags)
+            warning = "Begun by version " + old.version + ", " + old.compiler +
+                      ", " + old.build_flags +
+                      ": results may differ in the last digits.";
+          if (options.is_part && old.realisations == info.realisations)
+            {
+              if (old.parameters != info.parameters)
+                warning += (warning.empty() ? "" : "\n") +
+                           std::string("The parameters of output or analysis "
+                                       "differ from those in the folder, which "
+                                       "stay.");
+              return warning;
+            }
+        }
+      write_file(campaign_path(folder, CampaignFile::parameters),
+                 info.parameters);
+      info.write(info_path(folder));
+      return warning;
+    }
+  } // namespace
+
+
+  PreparedFolder
   prepare_campaign_folder(const std::string     &folder,
                           const CampaignInfo    &info,
                           const CampaignOptions &options)
   {
-    check_campaign_folder(folder, info, options);
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error)
-      refuse("cannot make the folder '" + folder + "': " + error.message(),
-             "a folder that can be made");
-
-    std::string warning;
-    if (options.overwrite)
-      remove_campaign(folder);
-    else if (has_campaign(folder))
-      {
-        check_same(folder, info);
-        const CampaignInfo old = CampaignInfo::read(info_path(folder));
-        if (old.version != info.version || old.compiler != info.compiler ||
-            old.build_flags != info.build_flags)
-          warning = "Begun by version " + old.version + ", " + old.compiler +
-                    ", " + old.build_flags +
-                    ": results may differ in the last digits.";
-        if (options.is_part && old.realisations == info.realisations)
-          {
-            if (old.parameters != info.parameters)
-              warning += (warning.empty() ? "" : "\n") +
-                         std::string("The parameters of output or analysis "
-                                     "differ from those in the folder, which "
-                                     "stay.");
-            return warning;
-          }
-      }
-    write_file(join_path(folder, "parameters.prm"), info.parameters);
-    info.write(info_path(folder));
-    return warning;
+    make_folder(folder);
+    const FolderLock lock    = lock_for_preparation(folder);
+    std::string      warning = write_campaign_files(folder, info, options);
+    // Before the lock goes: from now on --overwrite is refused.
+    return {std::make_unique<CampaignWriter>(folder), std::move(warning)};
   }
 } // namespace Waker

@@ -39,7 +39,7 @@ namespace Waker
     /// Is the checksum right, or may there be none? What lies between the
     /// values, blanks and ends of lines, does not count.
     bool
-    is_whole(Json json)
+    has_right_checksum(Json json)
     {
       const auto found = json.find("crc");
       if (found == json.end())
@@ -134,7 +134,7 @@ namespace Waker
     CampaignInfo info;
     try
       {
-        if (!is_whole(json))
+        if (!has_right_checksum(json))
           throw UserError(path,
                           "is damaged: its checksum is wrong",
                           right + ", as the program wrote it");
@@ -157,5 +157,21 @@ namespace Waker
     if (info.scenarios.empty())
       throw UserError(path, "is damaged: it has no scenario", right);
     return info;
+  }
+
+
+
+  bool
+  CampaignInfo::is_whole(const std::string &path)
+  {
+    const Json json = Json::parse(read_file(path), nullptr, false);
+    try
+      {
+        return json.is_object() && has_right_checksum(json);
+      }
+    catch (const Json::exception &)
+      {
+        return false;
+      }
   }
 } // namespace Waker

@@ -15,13 +15,11 @@ namespace Waker
 {
   namespace
   {
-    const std::string prefix = "journal-";
-    const std::string suffix = ".jsonl";
-
-
+    /// Also of one that somebody has renamed: its results count.
     bool
     is_journal_name(const std::string &name)
     {
+      const std::string prefix = "journal-", suffix = ".jsonl";
       return name.size() > prefix.size() + suffix.size() &&
              name.compare(0, prefix.size(), prefix) == 0 &&
              name.compare(name.size() - suffix.size(), suffix.size(), suffix) ==

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/hash.h>
+#include <waker/base/host.h>
 #include <waker/reliability/journal.h>
 #include <waker/reliability/journal_header.h>
 

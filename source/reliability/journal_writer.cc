@@ -2,11 +2,11 @@
 #include <waker/base/errors.h>
 #include <waker/base/hash.h>
 #include <waker/output/files.h>
+#include <waker/reliability/campaign_files.h>
 #include <waker/reliability/journal.h>
 #include <waker/reliability/journal_header.h>
 
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <fcntl.h>
 #include <unistd.h>
@@ -15,17 +15,8 @@ namespace Waker
 {
   namespace
   {
-    std::string
-    journal_name(const unsigned int number)
-    {
-      char digits[16];
-      std::snprintf(digits, sizeof(digits), "%05u", number);
-      return "journal-" + std::string(digits) + ".jsonl";
-    }
-
-
     [[noreturn]] void
-    throw_cannot_write(const std::string &path, const int error)
+    throw_journal_full(const std::string &path, const int error)
     {
       throw UserError(path,
                       std::string("cannot be written: ") + std::strerror(error),
@@ -52,14 +43,17 @@ namespace Waker
     , last_sync(std::chrono::steady_clock::now())
   {
     // Only one of all writers can create a file: no lock is needed.
+    int descriptor = -1;
     for (unsigned int number = 0; descriptor < 0; ++number)
       {
-        name       = join_path(folder, journal_name(number));
-        descriptor = ::open(name.c_str(),
+        const std::string name = join_path(folder, journal_name(number));
+        descriptor             = ::open(name.c_str(),
                             O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC,
                             0666);
-        if (descriptor < 0 && errno != EEXIST && errno != EINTR)
-          throw_cannot_write(name, errno);
+        if (descriptor >= 0)
+          file = std::make_unique<AppendFile>(name, descriptor);
+        else if (errno != EEXIST && errno != EINTR)
+          throw_journal_full(name, errno);
       }
 
     try
@@ -68,8 +62,7 @@ namespace Waker
       }
     catch (...)
       {
-        ::close(descriptor);
-        ::unlink(name.c_str());
+        ::unlink(path().c_str());
         throw;
       }
   }
@@ -79,8 +72,7 @@ namespace Waker
   JournalWriter::~JournalWriter()
   {
     if (sync_interval >= 0.)
-      ::fsync(descriptor);
-    ::close(descriptor);
+      file->sync();
   }
 
 
@@ -95,8 +87,8 @@ namespace Waker
         std::chrono::duration<double>(now - last_sync).count() >= sync_interval)
       {
         // Some file systems notice a full disk only here.
-        if (::fsync(descriptor) != 0 && errno != EINVAL)
-          throw_cannot_write(name, errno);
+        if (!file->sync())
+          throw_journal_full(path(), errno);
         last_sync = now;
       }
   }
@@ -106,34 +98,15 @@ namespace Waker
   const std::string &
   JournalWriter::path() const
   {
-    return name;
+    return file->path();
   }
 
 
 
   void
-  JournalWriter::write_line(std::string line)
+  JournalWriter::write_line(const std::string &line)
   {
-    line += '\n';
-
-    // One call takes the whole line, unless the disk becomes full in it.
-    std::size_t written = 0;
-    while (written < line.size())
-      {
-        const ssize_t n =
-          ::write(descriptor, line.data() + written, line.size() - written);
-        if (n > 0)
-          written += static_cast<std::size_t>(n);
-        else if (n == 0 || errno != EINTR)
-          {
-            const int error = n == 0 ? ENOSPC : errno;
-            // A part of a line would spoil the next one. If this fails, too,
-            // then readers drop the part.
-            if (::ftruncate(descriptor, static_cast<off_t>(length)) != 0)
-              {}
-            throw_cannot_write(name, error);
-          }
-      }
-    length += line.size();
+    if (!file->write(line + "\n"))
+      throw_journal_full(path(), errno);
   }
 } // namespace Waker

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/host.h>
 #include <waker/output/summary.h>
 #include <waker/reliability/machine.h>
 
 #include <algorithm>
-#include <ctime>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -28,17 +28,6 @@ namespace Waker
           }
       return "";
     }
-
-
-    std::string
-    host_name()
-    {
-      char name[256] = "";
-      // A name that is too long may come without its end.
-      if (::gethostname(name, sizeof name - 1) != 0 || name[0] == '\0')
-        return Machine().host;
-      return name;
-    }
   } // namespace
 
 
@@ -55,19 +44,6 @@ namespace Waker
             program.version,
             program.compiler,
             program.build_flags};
-  }
-
-
-
-  std::string
-  utc_time()
-  {
-    const std::time_t now   = std::time(nullptr);
-    std::tm           parts = {};
-    ::gmtime_r(&now, &parts);
-    char text[32];
-    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
-    return text;
   }
 
 

@@ -2,6 +2,7 @@
 #include <waker/base/errors.h>
 #include <waker/base/log.h>
 #include <waker/output/files.h>
+#include <waker/reliability/campaign_files.h>
 #include <waker/reliability/campaign_folder.h>
 #include <waker/reliability/campaign_text.h>
 #include <waker/reliability/journal.h>
@@ -9,7 +10,6 @@
 #include <waker/reliability/report.h>
 #include <waker/reliability/store.h>
 
-#include <filesystem>
 
 namespace Waker
 {
@@ -38,7 +38,8 @@ namespace Waker
     read_folder(const std::string &folder, const Input &input, const bool all)
     {
       FolderContents contents;
-      contents.info = CampaignInfo::read(join_path(folder, "campaign.json"));
+      contents.info =
+        CampaignInfo::read(campaign_path(folder, CampaignFile::info));
       JournalContents journals = read_journals(folder, contents.info.hash);
       contents.counts          = journals.counts;
 
@@ -83,14 +84,14 @@ namespace Waker
                       "has no finished realisation",
                       "the folder of a campaign with at least one");
     const ReliabilityParameters &parameters = input.reliability;
-    write_store(join_path(folder, "results.h5"),
+    write_store(campaign_path(folder, CampaignFile::store),
                 contents.info,
                 contents.records,
                 parameters.analysis.slides,
                 contents.counts,
                 contents.n_surplus);
-    const std::string report = join_path(folder, "report");
-    std::filesystem::create_directories(report);
+    const std::string report = report_folder(folder);
+    make_folder(report);
     const auto records = contents.by_scenario();
     write_report(contents.info,
                  records,
@@ -101,7 +102,8 @@ namespace Waker
     log.line("Merged " + std::to_string(contents.records.size()) +
              " realisations from " +
              std::to_string(contents.counts.n_journals) + " journal(s) to " +
-             join_path(folder, "results.h5") + " and " + report + "/");
+             campaign_path(folder, CampaignFile::store) + " and " + report +
+             "/");
     print_remarks(contents, log);
     log.line(report_text(contents.info, records, parameters.analysis));
   }

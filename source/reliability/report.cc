@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
 #include <waker/output/files.h>
+#include <waker/reliability/campaign_files.h>
 #include <waker/reliability/estimates.h>
 #include <waker/reliability/histograms.h>
 #include <waker/reliability/report.h>
@@ -71,7 +72,7 @@ namespace Waker
     const auto points       = fragility_points(info, records_by_scenario);
 
     const auto write = [&](const char *const name, const std::string &text) {
-      write_file(join_path(directory, name), text);
+      write_file(report_path(directory, name), text);
     };
     using namespace ReportTables;
     const HistogramParameters &bins = parameters.histograms;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/hash.h>
 #include <waker/output/files.h>
+#include <waker/output/output_files.h>
 #include <waker/output/output_folder.h>
+#include <waker/reliability/campaign_files.h>
 #include <waker/reliability/journal.h>
 #include <waker/reliability/progress.h>
 #include <waker/reliability/random_properties.h>
@@ -13,7 +15,6 @@
 #include <filesystem>
 #include <map>
 #include <set>
-#include <unistd.h>
 #include <utility>
 
 namespace Waker
@@ -85,7 +86,7 @@ namespace Waker
                       const std::uint64_t realisation,
                       const std::string  &directory)
     {
-      const std::string path = join_path(directory, "parameters.prm");
+      const std::string path = file_path(directory, OutputFile::parameters);
       std::error_code   error;
       if (!fs::exists(path, error))
         return 0;
@@ -173,8 +174,8 @@ namespace Waker
         wanted.realisations.empty())
       return true;
 
-    const fs::path snapshots = fs::path(folder) / "snapshots";
-    fs::create_directories(snapshots);
+    const fs::path snapshots = snapshots_folder(folder);
+    make_folder(snapshots);
     unsigned int       number  = 0;
     bool               done    = true;
     const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator);
@@ -182,17 +183,15 @@ namespace Waker
     for (const auto &[scenario, realisation] :
          chosen(scenarios, read_journals(folder, hash).records))
       {
-        const std::string name =
-          std::to_string(scenario) + "-" + std::to_string(realisation);
-        std::error_code error;
+        const std::string name = snapshot_name(scenario, realisation);
+        std::error_code   error;
         if (number++ % n_ranks != rank || fs::exists(snapshots / name, error))
           continue;
 
         // Under another name until it is whole: another part of the campaign
         // may be making it, too.
-        const fs::path unfinished =
-          snapshots / ("." + name + "." + std::to_string(::getpid()));
-        RunOptions options;
+        const fs::path unfinished = snapshots / unfinished_name(name);
+        RunOptions     options;
         options.overwrite = true;
         options.quiet     = true;
         options.interrupt = interrupt;

@@ -2,6 +2,7 @@
 #include <waker/base/errors.h>
 #include <waker/output/files.h>
 #include <waker/output/grid_writer.h>
+#include <waker/output/output_files.h>
 #include <waker/output/particle_writer.h>
 #include <waker/output/surface_writer.h>
 #include <waker/output/traction_writer.h>
@@ -25,8 +26,7 @@ namespace Waker
     struct Progress
     {
       std::string           state;
-      double                next_fields     = 0.;
-      double                next_checkpoint = 0.;
+      StopParameters        stop; // by which state.rest was found
       std::vector<PvdEntry> particles;
       std::vector<PvdEntry> surfaces;
       std::vector<PvdEntry> grids;
@@ -37,8 +37,8 @@ namespace Waker
       void
       serialize(Archive &archive, const unsigned int)
       {
-        archive &state &next_fields &next_checkpoint &particles &surfaces &grids
-          &tractions &walls;
+        archive &state &stop.rest_plastic_strain                &stop
+          .rest_velocity &particles &surfaces &grids &tractions &walls;
       }
     };
 
@@ -68,16 +68,7 @@ namespace Waker
     }
 
 
-    /// The next multiple of the interval after t; round-off in the sum of the
-    /// time steps must not skip one.
-    double
-    next_multiple(const double t, const double interval)
-    {
-      return interval > 0. ? interval * (std::floor(t / interval + 1e-9) + 1.)
-                           : std::numeric_limits<double>::infinity();
-    }
-
-
+    /// Round-off in the sum of the time steps must not skip a time.
     bool
     is_due(const double t, const double due)
     {
@@ -95,6 +86,21 @@ namespace Waker
         summary.crest_cut = slide.body.crest_cut;
       return summary;
     }
+
+
+    /// The first multiple of the interval that is not due at t yet.
+    double
+    next_multiple(const double t, const double interval)
+    {
+      if (!(interval > 0.))
+        return std::numeric_limits<double>::infinity();
+      double n = std::floor(t / interval);
+      if (n > 1e12) // too many to be counted: each step is one
+        return t;
+      while (is_due(t, n * interval))
+        ++n;
+      return n * interval;
+    }
   } // namespace
 
 
@@ -102,14 +108,14 @@ namespace Waker
   Recorder<dim>::Recorder(const Parameters &parameters)
     : parameters(&parameters)
     , slots(parameters.output.directory, parameters.hash)
-    , particles(parameters.output.directory, "particles")
-    , surfaces(parameters.output.directory, "surface")
-    , grids(parameters.output.directory, "grid")
-    , tractions(parameters.output.directory, "tractions")
-    , walls(parameters.output.directory, "walls")
+    , particles(parameters.output.directory, FieldSeries::particles)
+    , surfaces(parameters.output.directory, FieldSeries::surface)
+    , grids(parameters.output.directory, FieldSeries::grid)
+    , tractions(parameters.output.directory, FieldSeries::tractions)
+    , walls(parameters.output.directory, FieldSeries::walls)
     , observers(standard_observers<dim>())
     , statistics(std::make_unique<Statistics>(
-        join_path(parameters.output.directory, "statistics")))
+        file_path(parameters.output.directory, OutputFile::statistics)))
     , next_checkpoint(next_multiple(0., parameters.output.checkpoint_interval))
   {}
 
@@ -118,11 +124,11 @@ namespace Waker
   Recorder<dim>::Recorder(const Parameters &parameters, State<dim> &state)
     : parameters(&parameters)
     , slots(parameters.output.directory, parameters.hash)
-    , particles(parameters.output.directory, "particles")
-    , surfaces(parameters.output.directory, "surface")
-    , grids(parameters.output.directory, "grid")
-    , tractions(parameters.output.directory, "tractions")
-    , walls(parameters.output.directory, "walls")
+    , particles(parameters.output.directory, FieldSeries::particles)
+    , surfaces(parameters.output.directory, FieldSeries::surface)
+    , grids(parameters.output.directory, FieldSeries::grid)
+    , tractions(parameters.output.directory, FieldSeries::tractions)
+    , walls(parameters.output.directory, FieldSeries::walls)
     , observers(standard_observers<dim>())
   {
     const Checkpoint checkpoint = slots.read_latest(resume_warning);
@@ -143,16 +149,24 @@ namespace Waker
                         "--resume with the program that wrote it, or "
                         "--overwrite");
       }
-    next_fields     = progress.next_fields;
-    next_checkpoint = progress.next_checkpoint;
+    // By the intervals and limits of now: they may have changed.
+    if (progress.stop.rest_plastic_strain !=
+          parameters.stop.rest_plastic_strain ||
+        progress.stop.rest_velocity != parameters.stop.rest_velocity)
+      state.rest = RestRecord();
+    next_fields = next_multiple(state.time, parameters.output.interval);
+    next_checkpoint =
+      next_multiple(state.time, parameters.output.checkpoint_interval);
     particles.restore(progress.particles);
     surfaces.restore(progress.surfaces);
     grids.restore(progress.grids);
     tractions.restore(progress.tractions);
     walls.restore(progress.walls);
     // The row of the checkpoint's step was written before it.
-    statistics = std::make_unique<Statistics>(
-      join_path(parameters.output.directory, "statistics"), state.step + 1);
+    statistics =
+      std::make_unique<Statistics>(file_path(parameters.output.directory,
+                                             OutputFile::statistics),
+                                   state.step + 1);
   }
 
 
@@ -257,8 +271,7 @@ namespace Waker
         next_multiple(state.time, parameters->output.checkpoint_interval);
     statistics->flush();
     const Progress     progress{state.write(),
-                            next_fields,
-                            next_checkpoint,
+                            parameters->stop,
                             particles.entries(),
                             surfaces.entries(),
                             grids.entries(),
@@ -312,7 +325,7 @@ namespace Waker
       summary.vanished_tractions += traction.empty_time >= 0.;
     summary.wall_time       = wall_time;
     summary.parameters_hash = parameters->hash;
-    summary.write(join_path(parameters->output.directory, "summary.json"));
+    summary.write(file_path(parameters->output.directory, OutputFile::summary));
   }
 
 

@@ -3,7 +3,8 @@
 #include <waker/base/log.h>
 #include <waker/base/version.h>
 #include <waker/mechanics/time_scheme.h>
-#include <waker/output/files.h>
+#include <waker/output/folder_lock.h>
+#include <waker/output/output_files.h>
 #include <waker/output/output_folder.h>
 #include <waker/simulation/describe.h>
 #include <waker/simulation/realisation.h>
@@ -248,6 +249,8 @@ namespace Waker
     const std::string &directory = parameters.output.directory;
     refuse_campaign_folder(directory);
     check_output_folder(directory, folder_mode(options));
+    if (!options.validate_only)
+      refuse_locked_folder(directory);
     Log log = options.quiet ? Log() : Log(std::cout, Log::is_terminal());
     std::unique_ptr<const Case<dim>> pointer;
     try
@@ -259,6 +262,7 @@ namespace Waker
         log.line(std::string("Numerical failure: ") + failure.what());
         if (!options.validate_only && !options.resume)
           {
+            const FolderLock lock = lock_folder(directory, "waker run");
             prepare_output_folder(directory,
                                   folder_mode(options),
                                   parameters.text);
@@ -288,6 +292,7 @@ namespace Waker
         return RunStatus::completed;
       }
 
+    const FolderLock               lock = lock_folder(directory, "waker run");
     std::unique_ptr<Recorder<dim>> recorder;
     if (options.resume)
       recorder = std::make_unique<Recorder<dim>>(parameters, state);
@@ -295,7 +300,7 @@ namespace Waker
     if (!options.resume)
       recorder = std::make_unique<Recorder<dim>>(parameters);
 
-    log.open_file(join_path(directory, "log.txt"), options.resume);
+    log.open_file(file_path(directory, OutputFile::log), options.resume);
     describe();
     if (options.resume)
       {

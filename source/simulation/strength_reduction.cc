@@ -3,17 +3,16 @@
 #include <waker/base/log.h>
 #include <waker/base/version.h>
 #include <waker/output/files.h>
+#include <waker/output/folder_lock.h>
+#include <waker/output/output_files.h>
 #include <waker/output/output_folder.h>
 #include <waker/simulation/describe.h>
 #include <waker/simulation/realisation.h>
 #include <waker/simulation/run.h>
+#include <waker/simulation/trial_table.h>
 
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <map>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -21,108 +20,9 @@ namespace Waker
 {
   namespace
   {
-    /// The realisation at one factor, as a line of the table.
-    struct Trial
-    {
-      bool        failed  = false;
-      double      time    = 0.; // of failure, or of the end, s
-      std::string outcome = "interrupted";
-    };
-
-    const char *const table_name = "strength_reduction.csv";
-
-
     /// Thrown by nothing but an interrupt: leaves the search, keeps the table.
     struct Interrupted
     {};
-
-
-    /**
-     * The trials made so far, on disk line by line: an interrupted search goes
-     * on where it was.
-     */
-    class Table
-    {
-    public:
-      /// @param key of the case: the trials of another one are refused
-      Table(const std::string &path, const std::string &key, const bool resume)
-        : path(path)
-        , key(key)
-      {
-        if (resume)
-          read();
-        std::ofstream file(path);
-        file << "# parameters " << key << "\nfactor,failed,time_s,outcome\n";
-        for (const auto &[factor, trial] : trials)
-          write_line(file, factor, trial);
-      }
-
-      const Trial *
-      find(const double factor) const
-      {
-        const auto it = trials.find(factor);
-        return it != trials.end() ? &it->second : nullptr;
-      }
-
-      void
-      add(const double factor, const Trial &trial)
-      {
-        trials[factor] = trial;
-        std::ofstream file(path, std::ios::app);
-        write_line(file, factor, trial);
-      }
-
-      std::size_t
-      size() const
-      {
-        return trials.size();
-      }
-
-    private:
-      void
-      read()
-      {
-        std::ifstream file(path);
-        std::string   line;
-        if (std::getline(file, line) && line != "# parameters " + key)
-          throw UserError("Output/Directory",
-                          path + " belongs to another case",
-                          "--resume with the parameters it was made with, or "
-                          "--overwrite");
-        std::getline(file, line); // header
-        while (std::getline(file, line))
-          {
-            double factor, time;
-            int    failed;
-            char   outcome[64];
-            if (std::sscanf(line.c_str(),
-                            "%lf,%d,%lf,%63[^,\n]",
-                            &factor,
-                            &failed,
-                            &time,
-                            outcome) == 4)
-              trials[factor] = {failed != 0, time, outcome};
-          }
-      }
-
-      static void
-      write_line(std::ostream &out, const double factor, const Trial &trial)
-      {
-        char text[160];
-        std::snprintf(text,
-                      sizeof text,
-                      "%.17g,%d,%.10g,%s\n",
-                      factor,
-                      trial.failed ? 1 : 0,
-                      trial.time,
-                      trial.outcome.c_str());
-        out << text << std::flush;
-      }
-
-      std::string             path;
-      std::string             key;
-      std::map<double, Trial> trials;
-    };
 
 
     template <int dim>
@@ -175,7 +75,7 @@ namespace Waker
     RunStatus
     search(const Case<dim>  &the_case,
            const RunOptions &options,
-           Table            &table,
+           TrialTable       &table,
            Log              &log)
     {
       const StrengthReductionParameters &p =
@@ -223,8 +123,8 @@ namespace Waker
       json["trials"]          = table.size();
       json["parameters_hash"] = the_case.parameters.hash;
       json["version"]         = WAKER_VERSION;
-      write_file(join_path(the_case.parameters.output.directory,
-                           "strength_reduction.json"),
+      write_file(file_path(the_case.parameters.output.directory,
+                           OutputFile::strength_result),
                  json.dump(2) + "\n");
 
       std::ostringstream text;
@@ -260,6 +160,8 @@ namespace Waker
                                                        : FolderMode::must_be_new;
     refuse_campaign_folder(parameters.output.directory);
     check_output_folder(directory, mode);
+    if (!options.validate_only)
+      refuse_locked_folder(directory);
     const Case<dim> the_case(parameters, communicator);
     if (the_case.initial_points.find_scalar("undrained shear strength") < 0)
       throw UserError("Materials/Names",
@@ -274,19 +176,20 @@ namespace Waker
       }
     // The end time belongs to a trial, though not to the hash. A table that
     // does not fit is refused before anything is written.
-    const std::string path = join_path(directory, table_name);
-    const std::string key  = parameters.hash + ", to " +
+    const std::string key = parameters.hash + ", to " +
                             std::to_string(parameters.time.end_time) + " s";
-    std::unique_ptr<Table> table;
-    if (options.resume)
-      table = std::make_unique<Table>(path, key, true);
+    const FolderLock lock = lock_folder(directory, "waker strength-reduction");
+    TrialTable       table(directory, key, options.resume);
     prepare_output_folder(directory, mode, parameters.text);
-    if (!options.resume)
-      table = std::make_unique<Table>(path, key, false);
-    log.open_file(join_path(directory, "log.txt"), options.resume);
+    table.write();
+    log.open_file(file_path(directory, OutputFile::log), options.resume);
+    if (table.n_damaged() > 0)
+      log.line(std::to_string(table.n_damaged()) + " damaged line(s) of " +
+               file_name(OutputFile::strength_table) +
+               " dropped; their trials are made again.");
     try
       {
-        return search(the_case, options, *table, log);
+        return search(the_case, options, table, log);
       }
     catch (const Interrupted &)
       {

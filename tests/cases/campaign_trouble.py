@@ -236,7 +236,7 @@ def damaged_journals(whole, folder, reference, check):
         lines[3] = lines[3].replace('"outcome":', '"out\0\xff')
 
     for name, change, word in [("truncated last line", truncate, "no end"),
-                               ("damaged line", damage, "cannot be read")]:
+                               ("damaged line", damage, "checksum is wrong")]:
         campaign = Campaign(whole.waker, ".", os.path.join(folder, name[:7]), N)
         campaign.file = whole.file
         shutil.copytree(whole.folder, campaign.folder)

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/output/files.h>
 #include <waker/output/output_folder.h>
 #include <waker/output/pvd.h>
 #include <waker/output/summary.h>
 
 #include "output_temporary_folder.h"
+#include "processes.h"
+#include <cerrno>
 #include <gtest/gtest.h>
 #include <limits>
+#include <sys/resource.h>
 
 namespace Waker
 {
@@ -86,10 +90,15 @@ namespace Waker
                                 "statistics",
                                 "summary.json",
                                 "particles.pvd",
+                                "tractions.pvd",
+                                "walls.pvd",
                                 "strength_reduction.csv",
+                                "strength_reduction.json",
                                 "surface.pvd.tmp",
                                 "solution/particles-00012.vtu",
                                 "solution/grid-123456.vtu",
+                                "solution/walls-00000.vtu",
+                                "solution/tractions-00007.vtu",
                                 "checkpoints/checkpoint-0.bin",
                                 "checkpoints/checkpoint-1.bin.tmp"};
     const char *const mine[] = {"notes.txt",
@@ -124,13 +133,188 @@ namespace Waker
   }
 
 
+  TEST(Output, links_in_a_folder_are_refused_and_not_followed)
+  {
+    const TemporaryFolder other;
+    for (const std::string name : {"particles-00001.vtu",
+                                   "checkpoint-0.bin",
+                                   "statistics",
+                                   "solution/grid-00001.vtu"})
+      put(other.file(name), "mine");
+    for (const std::string name : {"solution",
+                                   "checkpoints",
+                                   "statistics",
+                                   "log.txt",
+                                   "walls.pvd",
+                                   "statistics.tmp",
+                                   "solution/grid-00000.vtu"})
+      for (const bool dangling : {false, true})
+        for (const FolderMode mode :
+             {FolderMode::overwrite, FolderMode::resume})
+          {
+            const TemporaryFolder folder;
+            put(folder.file("parameters.prm"), "mine");
+            fs::create_directories(fs::path(folder.file(name)).parent_path());
+            fs::create_symlink(dangling ? other.file("none") : other.path,
+                               folder.file(name));
+            EXPECT_TRUE(
+              contains(problem(folder.path, mode),
+                       "'" + folder.file(name) + "' is a symbolic link"))
+              << name;
+            EXPECT_THROW(prepare_output_folder(folder.path, mode, "new"),
+                         UserError);
+            EXPECT_TRUE(fs::is_symlink(folder.file(name)));
+            EXPECT_EQ(get(folder.file("parameters.prm")), "mine");
+          }
+    EXPECT_FALSE(fs::exists(other.file("none")));
+    for (const std::string name : {"particles-00001.vtu",
+                                   "checkpoint-0.bin",
+                                   "statistics",
+                                   "solution/grid-00001.vtu"})
+      EXPECT_EQ(get(other.file(name)), "mine") << name;
+
+    // Links of the user's own, under other names, stay.
+    const TemporaryFolder folder;
+    fs::create_symlink(other.path, folder.file("archive"));
+    fs::create_symlink(other.file("none"), folder.file("dangling"));
+    EXPECT_EQ(problem(folder.path, FolderMode::overwrite), "");
+    prepare_output_folder(folder.path, FolderMode::overwrite, "new");
+    EXPECT_TRUE(fs::is_symlink(folder.file("archive")));
+    EXPECT_TRUE(fs::is_symlink(folder.file("dangling")));
+  }
+
+
+  TEST(Output, folder_itself_may_be_a_link)
+  {
+    const TemporaryFolder folder;
+    fs::create_directory(folder.file("real"));
+    fs::create_symlink("real", folder.file("link"));
+    EXPECT_EQ(problem(folder.file("link"), FolderMode::must_be_new), "");
+    prepare_output_folder(folder.file("link"), FolderMode::must_be_new, "a");
+    EXPECT_EQ(get(folder.file("real/parameters.prm")), "a");
+    put(folder.file("real/statistics"), "x");
+    put(folder.file("real/notes"), "x");
+    prepare_output_folder(folder.file("link"), FolderMode::overwrite, "b");
+    EXPECT_EQ(get(folder.file("real/parameters.prm")), "b");
+    EXPECT_FALSE(fs::exists(folder.file("real/statistics")));
+    EXPECT_TRUE(fs::exists(folder.file("real/notes")));
+    EXPECT_TRUE(fs::is_symlink(folder.file("link")));
+
+    // A snapshot is removed with its folder, but not through a link.
+    remove_run_folder(folder.file("link"));
+    EXPECT_TRUE(fs::is_symlink(folder.file("link")));
+    EXPECT_TRUE(fs::exists(folder.file("real/parameters.prm")));
+  }
+
+
+  TEST(Output, folder_with_nothing_but_a_lock_is_new)
+  {
+    const TemporaryFolder folder;
+    put(folder.file("lock"), ""); // its process was killed at once
+    EXPECT_EQ(problem(folder.path, FolderMode::must_be_new), "");
+    prepare_output_folder(folder.path, FolderMode::must_be_new, "a");
+    EXPECT_TRUE(
+      contains(problem(folder.path, FolderMode::must_be_new), "is not empty"));
+  }
+
+
+  TEST(Output, append_file_takes_a_text_whole_or_not_at_all)
+  {
+    const TemporaryFolder folder;
+    {
+      AppendFile file(folder.file("a"), false);
+      EXPECT_TRUE(file.write("one\n"));
+      EXPECT_TRUE(file.sync());
+    }
+    {
+      AppendFile file(folder.file("a"), false);
+      EXPECT_TRUE(file.write("two\n"));
+    }
+    EXPECT_EQ(get(folder.file("a")), "one\ntwo\n");
+    {
+      AppendFile file(folder.file("a"), true);
+    }
+    EXPECT_EQ(get(folder.file("a")), "");
+    if (fs::exists("/dev/full"))
+      {
+        AppendFile full("/dev/full", false);
+        errno = 0;
+        EXPECT_FALSE(full.write("one\n"));
+        EXPECT_EQ(errno, ENOSPC);
+      }
+
+    // A limit on the size of files takes a part of the text, as a full disk.
+    const pid_t pid = in_another_process([&]() {
+      ::signal(SIGXFSZ, SIG_IGN);
+      const rlimit limit = {10, 10};
+      ::setrlimit(RLIMIT_FSIZE, &limit);
+      AppendFile file(folder.file("b"), false);
+      if (!file.write("1234567\n") || file.write("1234567\n"))
+        return 1;
+      return file.write("9\n") ? 0 : 2; // what fits still does
+    });
+    EXPECT_EQ(exit_code(pid), 0);
+    EXPECT_EQ(get(folder.file("b")), "1234567\n9\n");
+
+    put(folder.file("mine"), "mine");
+    fs::create_symlink("mine", folder.file("link"));
+    EXPECT_THROW(AppendFile(folder.file("link"), true), UserError);
+    EXPECT_EQ(get(folder.file("mine")), "mine");
+  }
+
+
+  TEST(Output, file_that_cannot_be_written_stays_as_it_was)
+  {
+    const TemporaryFolder folder;
+    put(folder.file("a"), "before");
+    const pid_t pid = in_another_process([&]() {
+      ::signal(SIGXFSZ, SIG_IGN);
+      const rlimit limit = {1000, 1000};
+      ::setrlimit(RLIMIT_FSIZE, &limit);
+      try
+        {
+          write_file(folder.file("a"), std::string(5000, 'x'));
+        }
+      catch (const UserError &error)
+        {
+          return contains(error.problem, "File too large") ? 0 : 1;
+        }
+      return 2;
+    });
+    EXPECT_EQ(exit_code(pid), 0);
+    EXPECT_EQ(get(folder.file("a")), "before");
+    EXPECT_FALSE(fs::exists(folder.file("a.tmp")));
+  }
+
+
+  TEST(Output, file_that_is_read_must_be_one)
+  {
+    const TemporaryFolder folder;
+    put(folder.file("empty"), "");
+    EXPECT_EQ(read_file(folder.file("empty")), "");
+    const auto why = [&](const std::string &name) -> std::string {
+      try
+        {
+          read_file(folder.file(name));
+        }
+      catch (const UserError &error)
+        {
+          return error.problem;
+        }
+      return "";
+    };
+    EXPECT_EQ(why("none"), "cannot be read: No such file or directory");
+    EXPECT_EQ(why("."), "cannot be read: it is a folder");
+  }
+
+
   TEST(Output, pvd_of_a_resumed_run_forgets_what_came_after_the_checkpoint)
   {
     const TemporaryFolder folder;
     fs::create_directory(folder.file("solution"));
     std::vector<PvdEntry> at_checkpoint;
     {
-      PvdSeries series(folder.path, "particles");
+      PvdSeries series(folder.path, FieldSeries::particles);
       for (unsigned int i = 0; i < 5; ++i)
         {
           put(series.next_path(), "frame");
@@ -146,7 +330,7 @@ namespace Waker
                          "timestep=\"0.4\" group=\"\" part=\"0\" "
                          "file=\"solution/particles-00004.vtu\""));
 
-    PvdSeries series(folder.path, "particles");
+    PvdSeries series(folder.path, FieldSeries::particles);
     series.restore(at_checkpoint);
     EXPECT_FALSE(contains(get(folder.file("particles.pvd")), "00003"));
     EXPECT_TRUE(contains(get(folder.file("particles.pvd")), "00002"));

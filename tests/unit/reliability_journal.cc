@@ -4,15 +4,12 @@
 #include <waker/reliability/journal.h>
 
 #include "output_temporary_folder.h"
+#include "processes.h"
 #include "reliability_records.h"
-#include <csignal>
 #include <gtest/gtest.h>
 #include <map>
 #include <set>
 #include <sys/resource.h>
-#include <sys/stat.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace Waker
 {
@@ -40,36 +37,6 @@ namespace Waker
     plain_line(const std::uint64_t i)
     {
       return to_json(synthetic_record(0, i)) + "\n";
-    }
-
-
-    /// Run a function in another process, which ends without any clean-up.
-    template <typename Function>
-    pid_t
-    in_another_process(const Function &function)
-    {
-      const pid_t pid = ::fork();
-      if (pid == 0)
-        {
-          try
-            {
-              ::_exit(function());
-            }
-          catch (...)
-            {
-              ::_exit(99);
-            }
-        }
-      return pid;
-    }
-
-
-    int
-    exit_code(const pid_t pid)
-    {
-      int status = 0;
-      ::waitpid(pid, &status, 0);
-      return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
     }
 
 

@@ -324,7 +324,7 @@ namespace Waker
         }
       return "";
     };
-    EXPECT_EQ(problem(), "cannot be read");
+    EXPECT_EQ(problem(), "cannot be read: No such file or directory");
 
     synthetic_campaign().write(path);
     const std::string good = get(path);

@@ -74,6 +74,7 @@ namespace Waker
     std::ostream     *screen   = nullptr;
     bool              terminal = false;
     std::ofstream     file;
+    bool              file_failed = false; // and the screen has said so
     bool              bar_shown = false;
     bool              started   = false;
     Clock::time_point start_time;

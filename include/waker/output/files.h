@@ -2,6 +2,7 @@
 #ifndef waker_output_files_h
 #define waker_output_files_h
 
+#include <cstdint>
 #include <string>
 
 namespace Waker
@@ -19,6 +20,15 @@ namespace Waker
              const std::string &contents,
              const bool         to_disk = false);
 
+  /// What all writers throw: UserError "Output/Directory" with the path and the
+  /// system's words for `error`, an errno.
+  [[noreturn]] void
+  throw_cannot_write(const std::string &path, const int error);
+
+  /// Make a folder, and those above it. @throws as throw_cannot_write()
+  void
+  make_folder(const std::string &path);
+
   /// The whole file. @throws UserError with its path if it cannot be read
   std::string
   read_file(const std::string &path);
@@ -26,6 +36,45 @@ namespace Waker
   /// "folder/name"; just "name" if the folder is empty.
   std::string
   join_path(const std::string &folder, const std::string &name);
+
+  /// A file that grows. A text is in it as a whole, with the operating system
+  /// (kill -9 does not lose it), or not at all.
+  class AppendFile
+  {
+  public:
+    /// @param empty begin anew: what is in it is lost
+    /// @throws UserError "Output/Directory", also of a symbolic link
+    AppendFile(const std::string &path, const bool empty);
+
+    /// Takes over a descriptor, open for appending, of an empty file.
+    AppendFile(const std::string &path, const int descriptor);
+
+    ~AppendFile();
+
+    AppendFile(const AppendFile &) = delete;
+    AppendFile &
+    operator=(const AppendFile &) = delete;
+
+    /// @return false, with errno, if the disk is full or the device gone: the
+    /// file is then as it was before
+    bool
+    write(const std::string &text);
+
+    /// Wait until all is on the disk. @return false, with errno
+    bool
+    sync();
+
+    const std::string &
+    path() const
+    {
+      return name;
+    }
+
+  private:
+    std::string   name;
+    int           descriptor = -1;
+    std::uint64_t length     = 0; // of whole texts, bytes
+  };
 } // namespace Waker
 
 #endif

@@ -2,27 +2,12 @@
 #ifndef waker_output_output_folder_h
 #define waker_output_output_folder_h
 
-#include <functional>
 #include <string>
 
 namespace Waker
 {
-  /// "particles-00012.vtu" of "particles-" and ".vtu"?
-  bool
-  is_numbered(const std::string &name,
-              const std::string &start,
-              const std::string &end);
-
-  /// Remove the files of a folder whose names `is_ours` knows, also those that
-  /// a killed process has left under a temporary name ("log.txt.tmp"), or only
-  /// these.
-  /// @throws UserError "Output/Directory"
-  void
-  remove_files(const std::string                              &folder,
-               const std::function<bool(const std::string &)> &is_ours,
-               const bool temporary_only = false);
-
-  /// Remove a run from its folder, and the folder if nothing else is in it.
+  /// Remove a run from its folder, and the folder if nothing else is in it. A
+  /// link in place of the folder stays.
   void
   remove_run_folder(const std::string &folder);
 
@@ -42,20 +27,24 @@ namespace Waker
   /**
    * Would prepare_output_folder() work? Writes nothing.
    *
+   * The folder itself may be a symbolic link: it is then the folder that the
+   * link points to. What we write in it may not.
+   *
    * @throws UserError "Output/Directory" if the folder is a file, cannot be
-   *         made, is not writable, is not empty (must_be_new), or is not there
-   *         (resume)
+   *         made, is not writable, is not empty (must_be_new), is not there
+   *         (resume), or has a link in place of what a run writes
    */
   void
   check_output_folder(const std::string &directory, const FolderMode mode);
 
   /**
-   * Make the folder and "solution/" in it, remove the files of an earlier run
+   * With the folder's lock held (see folder_lock.h): make "solution/" in it,
+   * remove the files of an earlier run
    * (overwrite) or what its killed process has left half written (resume), and
    * write parameters.prm.
    *
-   * Only files that a run writes are ever removed, by their names: anything
-   * else in the folder stays.
+   * Only files that a run writes are ever removed, by their names
+   * (output_files.h): anything else in the folder stays.
    *
    * @param parameters the text of all values used
    * @throws UserError as check_output_folder()

@@ -2,6 +2,8 @@
 #ifndef waker_output_pvd_h
 #define waker_output_pvd_h
 
+#include <waker/output/output_files.h>
+
 #include <string>
 #include <vector>
 
@@ -33,9 +35,8 @@ namespace Waker
   public:
     /**
      * @param folder the output folder; "solution/" must exist in it
-     * @param name   "particles", "surface", "grid"
      */
-    PvdSeries(const std::string &folder, const std::string &name);
+    PvdSeries(const std::string &folder, const FieldSeries fields);
 
     /// Path of the next file to be written.
     std::string
@@ -65,7 +66,7 @@ namespace Waker
     write_pvd() const;
 
     std::string           folder;
-    std::string           name;
+    FieldSeries           fields;
     std::vector<PvdEntry> series;
   };
 } // namespace Waker

@@ -2,8 +2,10 @@
 #ifndef waker_output_statistics_h
 #define waker_output_statistics_h
 
+#include <waker/output/files.h>
+
 #include <cstdint>
-#include <fstream>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -69,12 +71,12 @@ namespace Waker
     void
     write_header();
 
-    std::string              path;
-    std::ofstream            file;
-    std::vector<std::string> names; // of the columns
-    bool                     header_written = false;
-    unsigned int             column         = 0; // next one of this row
-    std::string              buffer;
+    std::string                 path;
+    std::unique_ptr<AppendFile> file;  // none: nothing is written
+    std::vector<std::string>    names; // of the columns
+    bool                        header_written = false;
+    unsigned int                column         = 0; // next one of this row
+    std::string                 buffer;
   };
 } // namespace Waker
 

@@ -41,6 +41,12 @@ namespace Waker
 
     std::string
     path() const;
+
+    /// Is its value the name of a file that is read? Its pattern says so,
+    /// Patterns::FileName(input): then the contents of the file count, not its
+    /// name, wherever the parameter decides something.
+    bool
+    is_input_file() const;
   };
 
   /**

@@ -9,10 +9,15 @@
 
 namespace Waker
 {
+  /// The sections of which a run may be resumed with other values, whole; of the
+  /// others only Time stepping/End time. The manual lists them, too.
+  const std::vector<std::string> &
+  sections_free_at_resume();
+
   /**
    * Hash of all that decides how the state of a realisation goes on from one
    * step to the next: how it is watched and when it stops may change when a run
-   * is resumed.
+   * is resumed. Of input files the contents count, not the names.
    *
    * @throws UserError with the path of a parameter that names a file which
    * cannot be read: its contents count

@@ -3,7 +3,9 @@
 #define waker_reliability_campaign_folder_h
 
 #include <waker/reliability/campaign.h>
+#include <waker/reliability/campaign_writer.h>
 
+#include <memory>
 #include <string>
 
 namespace Waker
@@ -17,17 +19,25 @@ namespace Waker
                         const CampaignInfo    &info,
                         const CampaignOptions &options);
 
+  struct PreparedFolder
+  {
+    /// This process computes there, as others can see.
+    std::unique_ptr<CampaignWriter> writer;
+    /// A line for the log, or nothing: the campaign was begun by another
+    /// version, or the part has other parameters of the analysis.
+    std::string warning;
+  };
+
   /**
    * Make the folder, or join the campaign in it (resume, parts): its hash must
    * be that of `info`, its number of realisations not larger. Writes
    * campaign.json and parameters.prm; a part leaves those that are there unless
    * it brings more realisations. `overwrite` removes the files of an earlier
-   * campaign, by their names, and nothing else.
+   * campaign, by their names, and nothing else; not while others compute there.
    *
-   * @return a warning for the log, or nothing: the campaign was begun by
-   * another version, or the part has other parameters of the analysis
+   * Several processes may do this at the same time: one after the other.
    */
-  std::string
+  PreparedFolder
   prepare_campaign_folder(const std::string     &folder,
                           const CampaignInfo    &info,
                           const CampaignOptions &options);

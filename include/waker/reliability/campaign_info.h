@@ -44,6 +44,10 @@ namespace Waker
     /// newer schema
     static CampaignInfo
     read(const std::string &path);
+
+    /// Is a file JSON, and its checksum right?
+    static bool
+    is_whole(const std::string &path);
   };
 } // namespace Waker
 

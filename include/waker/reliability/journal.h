@@ -2,12 +2,14 @@
 #ifndef waker_reliability_journal_h
 #define waker_reliability_journal_h
 
+#include <waker/output/files.h>
 #include <waker/reliability/machine.h>
 #include <waker/reliability/record.h>
 
 #include <chrono>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -66,11 +68,10 @@ namespace Waker
 
   private:
     void
-    write_line(std::string line);
+    write_line(const std::string &line);
 
-    std::string   name;
-    int           descriptor = -1;
-    std::uint64_t length     = 0; // of whole lines, bytes
+    std::unique_ptr<AppendFile> file;
+    std::string                 campaign_hash;
 
     double                                sync_interval;
     std::chrono::steady_clock::time_point last_sync;

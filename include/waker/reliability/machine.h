@@ -35,10 +35,6 @@ namespace Waker
     double        wall_time      = 0.; // sum over these realisations, s
   };
 
-  /// Now, UTC: "2025-01-31T12:00:00Z".
-  std::string
-  utc_time();
-
   /// Uses of the same machine become one; in order of host, then of what else
   /// tells machines apart. Those without a realisation are left out.
   std::vector<MachineUse>

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/errors.h>
+#include <waker/base/host.h>
+#include <waker/output/files.h>
+#include <waker/output/folder_lock.h>
+#include <waker/output/output_files.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <fcntl.h>
+#include <nlohmann/json.hpp>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <thread>
+#include <unistd.h>
+#include <utility>
+
+namespace Waker
+{
+  namespace
+  {
+    /// Does the name still stand for the file that is open?
+    bool
+    is_same_file(const int descriptor, const std::string &path)
+    {
+      struct stat open_file, named_file;
+      return ::fstat(descriptor, &open_file) == 0 &&
+             ::lstat(path.c_str(), &named_file) == 0 &&
+             open_file.st_ino == named_file.st_ino &&
+             open_file.st_dev == named_file.st_dev;
+    }
+
+
+    /// @return false if the file does not say
+    bool
+    read_holder(const int descriptor, LockHolder &holder)
+    {
+      char          text[2048];
+      const ssize_t size = ::pread(descriptor, text, sizeof text, 0);
+      const auto    json = nlohmann::json::parse(text,
+                                              text + std::max<ssize_t>(size, 0),
+                                              nullptr,
+                                              false);
+      if (!json.is_object())
+        return false;
+      try
+        {
+          holder.what    = json.at("what").get<std::string>();
+          holder.host    = json.at("host").get<std::string>();
+          holder.process = json.at("process").get<long>();
+          holder.since   = json.at("since").get<std::string>();
+          return true;
+        }
+      catch (const nlohmann::json::exception &)
+        {
+          return false;
+        }
+    }
+
+
+    enum class Kernel
+    {
+      free,
+      held,
+      unknown // the file system knows no locks
+    };
+
+
+    /// Waits some milliseconds: others that only look hold it for microseconds.
+    Kernel
+    try_lock(const int          descriptor,
+             const int          operation,
+             const unsigned int n_attempts)
+    {
+      for (unsigned int attempt = 0; attempt < n_attempts; ++attempt)
+        {
+          if (::flock(descriptor, operation | LOCK_NB) == 0)
+            return Kernel::free;
+          if (errno != EWOULDBLOCK && errno != EINTR)
+            return Kernel::unknown;
+          std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+      return Kernel::held;
+    }
+
+
+    /// @param kernel what it said about the open file
+    FolderLock::State
+    judge(const int descriptor, const Kernel kernel, LockHolder &holder)
+    {
+      const bool says = read_holder(descriptor, holder);
+      if (kernel == Kernel::held)
+        return FolderLock::State::held;
+      if (!says)
+        return FolderLock::State::ours;
+      if (holder.host != host_name())
+        return FolderLock::State::of_other_host;
+      if (kernel == Kernel::unknown && holder.process != ::getpid() &&
+          (::kill(static_cast<pid_t>(holder.process), 0) == 0 ||
+           errno == EPERM))
+        return FolderLock::State::held;
+      return FolderLock::State::ours;
+    }
+  } // namespace
+
+
+  std::string
+  LockHolder::text() const
+  {
+    return what + (process > 0 ? ", process " + std::to_string(process) : "") +
+           (host.empty() ? "" : " on " + host) +
+           (since.empty() ? "" : ", since " + since);
+  }
+
+
+  FolderLock::FolderLock(const std::string &path, const std::string &what)
+    : name(path)
+  {
+    while (true)
+      {
+        descriptor =
+          ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
+        if (descriptor < 0 && errno == EINTR)
+          continue;
+        if (descriptor < 0)
+          throw_cannot_write(path, errno);
+        const Kernel kernel = try_lock(descriptor, LOCK_EX, 50);
+        // The one before may have removed its file in between.
+        if (kernel == Kernel::held || is_same_file(descriptor, path))
+          {
+            present_state = judge(descriptor, kernel, other);
+            break;
+          }
+        ::close(descriptor);
+      }
+    if (present_state != State::ours)
+      {
+        ::close(std::exchange(descriptor, -1));
+        return;
+      }
+
+    const nlohmann::ordered_json json = {{"what", what},
+                                         {"host", host_name()},
+                                         {"process", ::getpid()},
+                                         {"since", utc_time()}};
+    const std::string            text =
+      json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) +
+      "\n";
+    if (::ftruncate(descriptor, 0) != 0 ||
+        ::pwrite(descriptor, text.data(), text.size(), 0) !=
+          static_cast<ssize_t>(text.size()))
+      {
+        const int error = errno;
+        release();
+        throw_cannot_write(path, error);
+      }
+  }
+
+
+  FolderLock::~FolderLock()
+  {
+    release();
+  }
+
+
+  FolderLock::FolderLock(FolderLock &&lock) noexcept
+    : name(std::move(lock.name))
+    , descriptor(std::exchange(lock.descriptor, -1))
+    , present_state(lock.present_state)
+    , other(std::move(lock.other))
+  {}
+
+
+  FolderLock &
+  FolderLock::operator=(FolderLock &&lock) noexcept
+  {
+    if (this != &lock)
+      {
+        release();
+        name          = std::move(lock.name);
+        descriptor    = std::exchange(lock.descriptor, -1);
+        present_state = lock.present_state;
+        other         = std::move(lock.other);
+      }
+    return *this;
+  }
+
+
+  void
+  FolderLock::release()
+  {
+    if (descriptor < 0)
+      return;
+    // While it is still held: nobody else can have made it theirs.
+    if (is_same_file(descriptor, name))
+      ::unlink(name.c_str());
+    ::close(std::exchange(descriptor, -1));
+  }
+
+
+  FolderLock::State
+  FolderLock::look(const std::string &path, LockHolder &holder)
+  {
+    const int descriptor =
+      ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
+    if (descriptor < 0)
+      return State::ours; // nobody's
+    const State state =
+      judge(descriptor, try_lock(descriptor, LOCK_SH, 3), holder);
+    ::close(descriptor);
+    return state;
+  }
+
+
+  bool
+  FolderLock::remove_dead(const std::string &path)
+  {
+    const int descriptor =
+      ::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW);
+    if (descriptor < 0)
+      return errno == ENOENT;
+    const Kernel kernel = try_lock(descriptor, LOCK_EX, 3);
+    LockHolder   holder;
+    const bool   dead = judge(descriptor, kernel, holder) != State::held;
+    // Whoever holds the file may remove its name, and nobody else.
+    if (dead && is_same_file(descriptor, path))
+      ::unlink(path.c_str());
+    ::close(descriptor);
+    return dead;
+  }
+
+
+  void
+  require_lock(const std::string      &folder,
+               const std::string      &lock_path,
+               const FolderLock::State state,
+               const LockHolder       &holder)
+  {
+    if (state == FolderLock::State::held)
+      throw UserError("Output/Directory",
+                      "'" + folder + "' is in use by " + holder.text(),
+                      "to wait until it has ended; or another folder, --set "
+                      "Output/Directory=...");
+    if (state == FolderLock::State::of_other_host)
+      throw UserError("Output/Directory",
+                      "'" + folder + "' may be in use by " + holder.text(),
+                      "if that process is there no more, to remove '" +
+                        lock_path + "'; or another folder");
+  }
+
+
+  FolderLock
+  lock_folder(const std::string &folder, const std::string &what)
+  {
+    make_folder(folder);
+    const std::string path = join_path(folder, lock_name);
+    FolderLock        lock(path, what);
+    require_lock(folder, path, lock.state(), lock.holder());
+    return lock;
+  }
+
+
+  void
+  refuse_locked_folder(const std::string &folder)
+  {
+    const std::string path = join_path(folder, lock_name);
+    LockHolder        holder;
+    const auto        state = FolderLock::look(path, holder);
+    require_lock(folder, path, state, holder);
+  }
+} // namespace Waker
