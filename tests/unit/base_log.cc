@@ -32,6 +32,21 @@ namespace Waker
   }
 
 
+  TEST(Base, log_that_cannot_be_written_says_so_once)
+  {
+    if (!std::filesystem::exists("/dev/full"))
+      GTEST_SKIP();
+    std::ostringstream screen;
+    Log                log(screen, false);
+    log.open_file("/dev/full", true);
+    log.line("first");
+    log.line("second");
+    EXPECT_EQ(screen.str(),
+              "first\nThe log file cannot be written: No space left on "
+              "device\nsecond\n");
+  }
+
+
   TEST(Base, progress_on_a_terminal_is_one_line_that_gives_way_to_others)
   {
     std::ostringstream screen;

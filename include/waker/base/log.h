@@ -75,8 +75,8 @@ namespace Waker
     bool              terminal = false;
     std::ofstream     file;
     bool              file_failed = false; // and the screen has said so
-    bool              bar_shown = false;
-    bool              started   = false;
+    bool              bar_shown   = false;
+    bool              started     = false;
     Clock::time_point start_time;
     Clock::time_point last_time;
     double            start_fraction = 0.;

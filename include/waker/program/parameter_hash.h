@@ -9,8 +9,8 @@
 
 namespace Waker
 {
-  /// The sections of which a run may be resumed with other values, whole; of the
-  /// others only Time stepping/End time. The manual lists them, too.
+  /// The sections of which a run may be resumed with other values, whole; of
+  /// the others only Time stepping/End time. The manual lists them, too.
   const std::vector<std::string> &
   sections_free_at_resume();
 
