@@ -65,7 +65,9 @@ namespace Waker
           std::regex::icase);
         if (std::regex_search(parameter.documentation, words) ||
             parameter.name.find("file") != std::string::npos)
-          EXPECT_TRUE(parameter.is_input_file()) << parameter.path();
+          {
+            EXPECT_TRUE(parameter.is_input_file()) << parameter.path();
+          }
       }
     EXPECT_EQ(found,
               (std::set<std::string>{"Random fields/name/Measurements",
