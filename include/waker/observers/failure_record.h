@@ -13,7 +13,7 @@ namespace Waker
   {
     double width_change = 0.3;  // m
     double height_loss  = 0.1;  // m
-    double distance     = 0.1;  // m
+    double distance     = 0.09; // m
     double share        = 0.02; // of the profile
   };
 

@@ -1,0 +1,131 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Figure and numbers of doc/verification/factor_of_safety.md: factors of safety
+of the dyke of chapter 5 without softening, against slip circles.
+
+    /usr/bin/python3 contrib/verification/factor_of_safety.py [--cells 0.25,0.125]
+
+Cells of 0.25 m take some minutes, cells of 0.125 m an hour. Factors that are in
+doc/verification/data/factor_of_safety.csv for other cells stay there.
+"""
+
+import csv
+import os
+import sys
+
+import numpy as np
+from common import DATA, plt, save
+from dyke_runs import workspace
+import dyke_measures as measures
+
+CASE = "verification/dyke_no_softening.prm"
+STRENGTH = 13.0  # kPa
+CREST = 5.0      # m
+# Slip circles for 13 kPa, by H_i - h (m); None: no water.
+INNER = 1.736
+OUTER = {0.25: 2.67, 0.5: 2.36, 1.0: 1.93, 1.5: 1.64, 2.0: 1.445, None: 1.049}
+READINGS = ("displacement", "width or height")
+COLUMNS = ("cell_m", "freeboard_m", "reading", "circle", "factor", "slope")
+
+
+def circle(freeboard):
+    return min(INNER, OUTER[freeboard])
+
+
+def slope_of_failure(folder):
+    """The slope that slid at the lowest factor that fails."""
+    with open(os.path.join(folder, "strength_reduction.csv"),
+              encoding="utf-8") as file:
+        rows = list(csv.DictReader(line for line in file
+                                   if not line.startswith("#")))
+    failed = [row for row in rows if row["failed"] == "1"]
+    if not failed:
+        return ""
+    text = min(failed, key=lambda row: float(row["factor"]))
+    return next((name for name in ("inner", "outer", "both")
+                 if name in " ".join(text.values())), "")
+
+
+def factor(work, cell, freeboard, reading):
+    water = ({"Water/Side": "none"} if freeboard is None
+             else {"Water/Level": CREST - freeboard})
+    name = f"{cell}-{freeboard}-{reading}".replace(" ", "-")
+    sets = {"Grid/Cell size": cell, "Time stepping/Time step": 0.04 * cell,
+            **measures.strength(STRENGTH, STRENGTH), **water,
+            "Strength reduction/Reading": reading,
+            "Strength reduction/Lower factor": 0.9,
+            "Strength reduction/Upper factor": 2.2}
+    result = work.factor_of_safety(name, CASE, sets)
+    return (result["factor_of_safety"],
+            slope_of_failure(os.path.join(work.folder, name)))
+
+
+def known(path, without):
+    """Rows of the table for other cells than these."""
+    if not os.path.exists(path):
+        return []
+    with open(path, encoding="utf-8") as file:
+        return [row for row in csv.DictReader(file)
+                if float(row["cell_m"]) not in without]
+
+
+def draw(rows):
+    figure, axes = plt.subplots()
+    freeboards = [f for f in OUTER if f is not None]
+    axes.axhline(INNER, color="grey", linewidth=0.8)
+    axes.plot(freeboards, [OUTER[f] for f in freeboards], color="grey",
+              linewidth=0.8)
+    axes.text(1.0, INNER + 0.02, "inner slope, slip circle", color="grey")
+    axes.text(0.3, 2.5, "outer slope, slip circle", color="grey")
+    for cell, reading, marker, colour in (
+            (0.25, "displacement", "o", "C0"), (0.125, "displacement", "s", "C2"),
+            (0.25, "width or height", "x", "C3")):
+        chosen = [row for row in rows if float(row["cell_m"]) == cell
+                  and row["reading"] == reading and row["freeboard_m"]
+                  and row["factor"]]
+        if chosen:
+            axes.plot([float(row["freeboard_m"]) for row in chosen],
+                      [float(row["factor"]) for row in chosen], marker,
+                      color=colour, label=f"h = {cell:g} m, by {reading}")
+    axes.set_xlabel("crest above the water, H_i − h (m)")
+    axes.set_ylabel("factor of safety")
+    axes.set_ylim(1.3, 2.7)
+    axes.legend()
+    save(figure, "factor_of_safety")
+
+
+def main():
+    cells = [0.25]
+    if "--cells" in sys.argv:
+        at = sys.argv.index("--cells")
+        cells = [float(cell) for cell in sys.argv[at + 1].split(",")]
+        del sys.argv[at:at + 2]
+    path = os.path.join(DATA, "factor_of_safety.csv")
+    rows = known(path, cells)
+    with workspace(__doc__) as work:
+        for cell in cells:
+            for reading in READINGS if cell == 0.25 else READINGS[:1]:
+                print(f"| H_i − h (m) | circle | h = {cell:g} m, {reading} | "
+                      "difference | slope |\n|---|---|---|---|---|")
+                for freeboard in OUTER:
+                    value, slope = factor(work, cell, freeboard, reading)
+                    expected = circle(freeboard)
+                    rows.append(dict(zip(COLUMNS, (
+                        cell, "" if freeboard is None else freeboard, reading,
+                        expected, "" if value is None else round(value, 4),
+                        slope))))
+                    text = ("none below 2.2 | " if value is None else
+                            f"{value:.3f} | {100 * (value / expected - 1):+.1f} %")
+                    print(f"| {'no water' if freeboard is None else freeboard} "
+                          f"| {expected} | {text} | {slope} |", flush=True)
+    with open(path, "w", encoding="utf-8", newline="") as file:
+        writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(sorted(rows, key=lambda row: (
+            float(row["cell_m"]), row["reading"],
+            float(row["freeboard_m"] or np.inf))))
+    draw(rows)
+
+
+if __name__ == "__main__":
+    main()
