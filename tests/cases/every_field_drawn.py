@@ -236,6 +236,9 @@ def render(check, source, folder, fields, what):
             # On a busy machine the display is not there in time.
             if "bad X server connection" not in done.stdout:
                 break
+        else:
+            print(f"no display: {field} is not drawn with ParaView")
+            continue
         good = done.returncode == 0 and "rror" not in done.stdout
         if not good:
             print(done.stdout)
