@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A campaign that is killed with SIGKILL ten times at random moments, twice on
-two ranks, and ended with SIGTERM, and resumed each time, has the results of one
+two ranks and twice while a second process is at it, and ended with SIGTERM, and resumed each time, has the results of one
 that was left alone.
 
 usage: campaign_kills.py WAKER SOURCE_DIRECTORY [SEED]
@@ -63,7 +63,11 @@ def main():
             # The first one may fall before the folder is complete.
             done = kill * N // (KILLS + 4)
             process = killed.start(*flags, ranks=2 if kill in (4, 8) else 0)
+            # Two at once share the work, and what a killed one had claimed.
+            other = killed.start(*flags) if flags and kill in (2, 6) else None
             end(killed, process, done, signal.SIGKILL, rng)
+            if other is not None:
+                end(killed, other, done + 2, signal.SIGKILL, rng)
             print(f"killed after {len(killed.records())} realisations")
             flags = ["--resume"] if os.path.exists(
                 os.path.join(killed.folder, "campaign.json")) else []

@@ -54,8 +54,10 @@ class Folders:
         words = [self.waker, command,
                  os.path.join(self.source, "parameters", file), *flags,
                  "--set", f"Output/Directory={folder}"]
-        for setting in [*own, *settings]:
-            words += ["--set", setting]
+        # The later one of two settings of one parameter counts.
+        for path, value in dict(text.split("=", 1)
+                                for text in [*own, *settings]).items():
+            words += ["--set", f"{path}={value}"]
         return subprocess.Popen(words, text=True, env=self.environment,
                                 cwd=cwd, stdout=subprocess.DEVNULL,
                                 stderr=subprocess.PIPE)
@@ -238,7 +240,7 @@ def wait_for(process, path, seconds=60):
 def two_at_once(folders, check):
     """One works in a folder, the other is refused; a killed one is no hindrance.
     """
-    long = ["Time stepping/End time=40", "Output/Checkpoint interval=0.1"]
+    long = ["Time stepping/End time=10", "Output/Checkpoint interval=0.1"]
     for case in ("dyke", "factor"):
         folder = folders.path("busy-" + case)
         first = folders.start(case, folder, settings=long)
@@ -257,7 +259,7 @@ def two_at_once(folders, check):
         first.communicate()
         check(os.path.exists(os.path.join(folder, "lock")),
               "killed: its lock is left")
-        folders.run(case, folder, "--resume")
+        folders.run(case, folder, "--resume", settings=long)
         check(not os.path.exists(os.path.join(folder, "lock")),
               f"{case}: resumed, and no lock is left")
 
