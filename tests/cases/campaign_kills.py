@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A campaign that is killed with SIGKILL ten times at random moments, twice on
-two ranks and twice while a second process is at it, and ended with SIGTERM, and resumed each time, has the results of one
-that was left alone.
+two ranks and twice while a second process is at it, and ended with SIGTERM, and
+resumed each time, has the results of one that was left alone.
 
 usage: campaign_kills.py WAKER SOURCE_DIRECTORY [SEED]
 """
