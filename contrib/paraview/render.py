@@ -2,7 +2,11 @@
 """Draw the last state of a run with ParaView (5.11; Debian packages paraview,
 python3-paraview, xvfb, xauth), without a display:
 
-    xvfb-run -a pvbatch contrib/paraview/render.py RUN PNG [FIELD]
+    xvfb-run -a -s "-screen 0 1600x1200x24 -noreset" \\
+      pvbatch contrib/paraview/render.py RUN PNG [FIELD]
+
+(-noreset: else the display starts anew between ParaView's two looks at it, which may
+find none.)
 
 Points coloured by FIELD (undrained_shear_strength; any field of particles.pvd, of a
 vector its size or a component: velocity, velocity_x), detected surface in red, its

@@ -227,18 +227,12 @@ def render(check, source, folder, fields, what):
         return
     for field in fields:
         picture = os.path.join(folder, f"paraview-{field}.png")
-        for _ in range(3):
-            done = subprocess.run(
-                ["xvfb-run", "-a", "pvbatch",
-                 os.path.join(source, "contrib", "paraview", "render.py"),
-                 folder, picture, field], check=False, text=True,
-                stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-            # On a busy machine the display is not there in time.
-            if "bad X server connection" not in done.stdout:
-                break
-        else:
-            print(f"no display: {field} is not drawn with ParaView")
-            continue
+        done = subprocess.run(
+            ["xvfb-run", "-a", "-s", "-screen 0 1600x1200x24 -noreset",
+             "pvbatch",
+             os.path.join(source, "contrib", "paraview", "render.py"),
+             folder, picture, field], check=False, text=True,
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         good = done.returncode == 0 and "rror" not in done.stdout
         if not good:
             print(done.stdout)
