@@ -5,15 +5,9 @@
 #include <deal.II/base/point.h>
 
 #include <waker/base/last_change.h>
+#include <waker/base/named_expression.h>
 
-#include <memory>
 #include <string>
-
-namespace dealii
-{
-  template <int dim>
-  class FunctionParser;
-}
 
 namespace Waker
 {
@@ -34,30 +28,27 @@ namespace Waker
                const std::string &path,
                const std::string &or_else = "");
 
-    ~Expression();
-    Expression(Expression &&);
-
     double
     value(const Point<dim> &x, const double t) const;
 
     const std::string &
     text() const
     {
-      return expression;
+      return expression.text();
     }
 
     /// Does it contain the time?
     bool
     moves() const
     {
-      return moving;
+      return expression.uses(dim);
     }
 
     /// The last time at which it changes (s): LastChange::never or unknown.
     double
     last_change() const
     {
-      return moving ? LastChange::unknown : LastChange::never;
+      return moves() ? LastChange::unknown : LastChange::never;
     }
 
     /// Does it change at x between two times? See Waker::varies().
@@ -66,16 +57,10 @@ namespace Waker
 
     /// Is it the same everywhere?
     bool
-    is_uniform() const
-    {
-      return uniform;
-    }
+    is_uniform() const;
 
   private:
-    std::string                          expression;
-    std::unique_ptr<FunctionParser<dim>> parser;
-    bool                                 moving;
-    bool                                 uniform;
+    NamedExpression expression; // of x, y, (z,) t
   };
 } // namespace Waker
 
