@@ -2,6 +2,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <waker/base/errors.h>
+#include <waker/base/expression_pattern.h>
 #include <waker/base/text.h>
 #include <waker/fields/marginal.h>
 #include <waker/fields/parameters.h>
@@ -28,10 +29,11 @@ namespace Waker
       Patterns::Selection("undrained shear strength|residual strength"));
     prm.add_parameter("Mean",
                       mean,
-                      "Mean (kPa): a number, or an expression of x, y, z (m), "
-                      "for example \"5 + 1.5*(5 - y)\". Empty: the material's "
-                      "own value.",
-                      Patterns::Anything());
+                      "Mean (kPa): a number, or an expression of x, y, z, "
+                      "depth, depth_in_layer (m; see Materials/<name>/Initial "
+                      "strength), for example \"5 + 1.5*depth\". Empty: the "
+                      "material's own value.",
+                      ExpressionPattern());
     prm.add_parameter(
       "Coefficient of variation",
       coefficient_of_variation,
@@ -40,9 +42,10 @@ namespace Waker
       Patterns::Double(0.));
     prm.add_parameter("Standard deviation",
                       standard_deviation,
-                      "Above 0: standard deviation (kPa), the same everywhere, "
-                      "instead of the coefficient of variation.",
-                      Patterns::Double(0.));
+                      "Not 0: standard deviation (kPa) instead of the "
+                      "coefficient of variation: a number, or an expression "
+                      "like that of the mean.",
+                      ExpressionPattern());
     prm.add_parameter(
       "Statistics of",
       statistics,
@@ -104,6 +107,13 @@ namespace Waker
                       "Standard deviation of the measurements, as a share of "
                       "that of the field (-), 0 or more.",
                       Patterns::Double(0.));
+  }
+
+
+  bool
+  RandomFieldParameters::has_standard_deviation() const
+  {
+    return plain_number(standard_deviation).value_or(1.) != 0.;
   }
 
 

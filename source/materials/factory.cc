@@ -1,10 +1,22 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/base/expression_pattern.h>
 #include <waker/materials/factory.h>
 #include <waker/materials/von_mises_softening.h>
 
 namespace Waker
 {
+  namespace
+  {
+    InitialValue
+    initial_value(const std::string &text, const std::string &path)
+    {
+      const std::optional<double> number = plain_number(text);
+      return number ? InitialValue(*number, path) : InitialValue(text, path);
+    }
+  } // namespace
+
+
   std::unique_ptr<Material>
   make_material(const MaterialParameters &p, const double gravity)
   {
@@ -18,8 +30,10 @@ namespace Waker
         density,
         p.youngs_modulus,
         p.poissons_ratio,
-        p.initial_strength,
-        p.residual_strength,
+        initial_value(p.initial_strength,
+                      "Materials/" + p.name + "/Initial strength"),
+        initial_value(p.residual_strength,
+                      "Materials/" + p.name + "/Residual strength"),
         p.softening_modulus,
         p.plastic_strain_invariant == "half"
           ? VonMisesSoftening::Invariant::half

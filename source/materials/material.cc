@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/materials/material.h>
 
+#include <cmath>
+
 namespace Waker
 {
   namespace
@@ -21,6 +23,16 @@ namespace Waker
         variables[v] = block.variables[v][l];
     }
   } // namespace
+
+
+  std::optional<std::pair<unsigned int, std::string>>
+  Material::initial_problem(const std::vector<double> &variables) const
+  {
+    for (unsigned int v = 0; v < variables.size(); ++v)
+      if (!std::isfinite(variables[v]))
+        return {{v, "a finite number at every point"}};
+    return {};
+  }
 
 
   void

@@ -3,7 +3,9 @@
 
 #include <waker/base/checks.h>
 #include <waker/base/errors.h>
+#include <waker/base/expression_pattern.h>
 #include <waker/materials/factory.h>
+#include <waker/particles/place_expression.h>
 
 #include <cmath>
 
@@ -36,13 +38,19 @@ namespace Waker
     prm.add_parameter("Initial strength",
                       initial_strength,
                       "Undrained shear strength c_i (kPa) before any plastic "
-                      "strain, above 0.",
-                      Patterns::Double(0.));
+                      "strain, above 0: a number, or an expression of the "
+                      "place at the start: x, y, z, depth below the highest "
+                      "soil over it, depth_in_layer below the top of its layer "
+                      "(m); for example \"8 + 1.5*depth_in_layer\".",
+                      ExpressionPattern());
     prm.add_parameter("Residual strength",
                       residual_strength,
                       "Undrained shear strength c_r (kPa) after softening, at "
-                      "least 0 and at most the initial strength.",
-                      Patterns::Double(0.));
+                      "least 0 and at most the initial strength: a number, or "
+                      "an expression like that, in which initial_strength is "
+                      "c_i at the place; for a sensitivity of 2.6: "
+                      "\"initial_strength/2.6\".",
+                      ExpressionPattern());
     prm.add_parameter("Softening modulus",
                       softening_modulus,
                       "Slope H_s = dc / d(plastic strain) (kPa), at most 0. 0: "
@@ -56,6 +64,20 @@ namespace Waker
                       "same shear.",
                       Patterns::Selection("equivalent|half"));
   }
+
+
+  namespace
+  {
+    /// A look at an expression before there is a place to evaluate it at.
+    void
+    check_expression(const std::string              &path,
+                     const std::string              &text,
+                     const std::vector<std::string> &more)
+    {
+      if (!plain_number(text))
+        PlaceExpression<3>(text, path, more, ", or a number");
+    }
+  } // namespace
 
 
   void
@@ -72,15 +94,24 @@ namespace Waker
       throw UserError(path + "Poisson's ratio",
                       "is " + number(poissons_ratio),
                       "above -1 and below 0.5 (an incompressible soil: 0.49)");
+    check_expression(path + "Initial strength", initial_strength, {});
+    check_expression(path + "Residual strength",
+                     residual_strength,
+                     {"initial_strength"});
     if (model == "linear elastic")
       return;
 
-    require_positive(path + "Initial strength", initial_strength, "kPa");
-    if (!(residual_strength >= 0. && residual_strength <= initial_strength))
+    // Expressions are read where the points are.
+    const std::optional<double> initial  = plain_number(initial_strength);
+    const std::optional<double> residual = plain_number(residual_strength);
+    if (initial)
+      require_positive(path + "Initial strength", *initial, "kPa");
+    if (residual &&
+        !(*residual >= 0. && *residual <= initial.value_or(*residual)))
       throw UserError(path + "Residual strength",
-                      "is " + number(residual_strength) +
-                        " kPa, the initial strength " +
-                        number(initial_strength) + " kPa",
+                      "is " + number(*residual) +
+                        " kPa, the initial strength " + initial_strength +
+                        " kPa",
                       "from 0 to the initial strength");
     if (!(softening_modulus <= 0.))
       throw UserError(path + "Softening modulus",

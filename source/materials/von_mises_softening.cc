@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace Waker
 {
@@ -12,13 +13,13 @@ namespace Waker
   }
 
 
-  VonMisesSoftening::VonMisesSoftening(const double    density,
-                                       const double    youngs_modulus,
-                                       const double    poissons_ratio,
-                                       const double    initial_strength,
-                                       const double    residual_strength,
-                                       const double    softening_modulus,
-                                       const Invariant invariant)
+  VonMisesSoftening::VonMisesSoftening(const double        density,
+                                       const double        youngs_modulus,
+                                       const double        poissons_ratio,
+                                       const InitialValue &initial_strength,
+                                       const InitialValue &residual_strength,
+                                       const double        softening_modulus,
+                                       const Invariant     invariant)
     : LinearElastic(density, youngs_modulus, poissons_ratio)
     , initial_strength(initial_strength)
     , residual_strength(residual_strength)
@@ -34,9 +35,31 @@ namespace Waker
   std::vector<MaterialVariable>
   VonMisesSoftening::variables() const
   {
-    return {{"undrained shear strength", "kPa", initial_strength, false},
-            {"residual strength", "kPa", residual_strength, true},
-            {"plastic strain", "-", 0., false}};
+    using Role = MaterialVariable::Role;
+    return {{"undrained shear strength",
+             "kPa",
+             initial_strength,
+             Role::strength,
+             "initial_strength"},
+            {"residual strength", "kPa", residual_strength, Role::strength},
+            {"plastic strain", "-", 0., Role::history}};
+  }
+
+
+  std::optional<std::pair<unsigned int, std::string>>
+  VonMisesSoftening::initial_problem(const std::vector<double> &variables) const
+  {
+    const double initial = variables[0], residual = variables[1];
+    if (!(initial > 0. && std::isfinite(initial)))
+      return {{0, "a finite number above 0 (kPa) at every point"}};
+    if (!(residual >= 0. && residual <= initial))
+      {
+        std::ostringstream text;
+        text << "from 0 to the initial strength at every point, here "
+             << initial << " kPa";
+        return {{1, text.str()}};
+      }
+    return Material::initial_problem(variables);
   }
 
 

@@ -51,7 +51,7 @@ namespace Waker
           std::vector<double> &values = points.scalar(variable.name);
           for (std::size_t p = 0; p < points.n_points(); ++p)
             if (points.material[p] == m)
-              values[p] = variable.initial_value;
+              values[p] = variable.initial_value.number;
         }
   }
 

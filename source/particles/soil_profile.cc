@@ -221,7 +221,8 @@ namespace Waker
                        const std::vector<LayerParameters> &layer_parameters,
                        const MaterialPointParameters      &parameters,
                        const std::vector<std::string>     &material_names,
-                       const std::vector<double>          &densities)
+                       const std::vector<double>          &densities,
+                       std::vector<unsigned int>          *layers_of_points)
   {
     Assert(densities.size() == material_names.size(),
            ExcDimensionMismatch(densities.size(), material_names.size()));
@@ -250,6 +251,8 @@ namespace Waker
 
     MaterialPoints<dim> points;
     points.resize(n);
+    if (layers_of_points != nullptr)
+      layers_of_points->clear();
     double point_volume = 0., point_mass = 0.;
     for (std::size_t p = 0; p < n; ++p)
       {
@@ -263,6 +266,8 @@ namespace Waker
         points.initial_position[p] = seeds[p].position;
         points.velocity[p]         = layer.velocity_at(seeds[p].position);
         points.stress[p]           = layer.stress_at(seeds[p].position);
+        if (layers_of_points != nullptr)
+          layers_of_points->push_back(seeds[p].layer);
         point_volume += points.volume[p];
         point_mass += points.mass[p];
       }
@@ -292,13 +297,15 @@ namespace Waker
                        const std::vector<LayerParameters> &,
                        const MaterialPointParameters &,
                        const std::vector<std::string> &,
-                       const std::vector<double> &);
+                       const std::vector<double> &,
+                       std::vector<unsigned int> *);
   template MaterialPoints<3>
   make_material_points(const BackgroundGrid<3> &,
                        const std::vector<LayerParameters> &,
                        const MaterialPointParameters &,
                        const std::vector<std::string> &,
-                       const std::vector<double> &);
+                       const std::vector<double> &,
+                       std::vector<unsigned int> *);
   template double
   profile_volume(const BackgroundGrid<2> &,
                  const std::vector<LayerParameters> &);

@@ -148,12 +148,15 @@ namespace Waker
     campaign->add_option("--realisations",
                          realisations,
                          "a:b: only a to b - 1; joins what is in the folder");
-    run->add_option("--realisation",
-                    line.realisation,
-                    "number of the realisation of the random fields");
-    run->add_option("--scenario",
-                    line.scenario,
-                    "number of the scenario of the sweep, from 0");
+    for (CLI::App *const command : {run, strength_reduction})
+      {
+        command->add_option("--realisation",
+                            line.realisation,
+                            "number of the realisation of the random fields");
+        command->add_option("--scenario",
+                            line.scenario,
+                            "number of the scenario of the sweep, from 0");
+      }
 
     CLI::App *const status =
       app.add_subcommand("status", "how far a campaign is, also while it runs");

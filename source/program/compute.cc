@@ -7,10 +7,10 @@
 #include <waker/program/parameter_reader.h>
 #include <waker/reliability/campaign.h>
 #include <waker/reliability/snapshots.h>
+#include <waker/reliability/strength_reduction.h>
 
 #include <csignal>
 #include <cstdlib>
-#include <iostream>
 
 namespace Waker
 {
@@ -72,20 +72,26 @@ namespace Waker
     }
 
 
-    /// Output/Directory is where the campaign is, so a realisation of it goes
-    /// beside it, unless the command line says where.
+    /// With random fields Output/Directory is where the campaign is, so what
+    /// else is computed goes beside it, unless the command line says where.
     std::string
-    realisation_folder(const CommandLine &line, const Input &input)
+    single_folder(const CommandLine &line, const Input &input)
     {
       const std::string &directory = input.simulation.output.directory;
       for (const std::string &text : line.overrides)
         if (text.rfind("Output/Directory", 0) == 0)
           return directory;
+      const bool is_random = !input.reliability.fields.fields.empty();
       return directory +
              (input.reliability.sweep.parameter.empty()
                 ? ""
                 : "-scenario-" + std::to_string(line.scenario)) +
-             "-realisation-" + std::to_string(*line.realisation);
+             (line.realisation
+                ? "-realisation-" + std::to_string(*line.realisation)
+                : "") +
+             (line.command == Command::strength_reduction && is_random
+                ? "-strength-reduction"
+                : "");
     }
 
 
@@ -104,32 +110,29 @@ namespace Waker
       options.resume        = line.resume;
       options.overwrite     = line.overwrite;
       options.interrupt     = &received_signal;
-      if (line.command == Command::strength_reduction)
-        {
-          if (!input.reliability.fields.fields.empty())
-            std::cout << "Random fields are left out: the materials have their "
-                         "own strength everywhere."
-                      << std::endl;
-          return exit_code(run_strength_reduction<dim>(input.simulation,
-                                                       options,
-                                                       MPI_COMM_WORLD));
-        }
 
       const bool is_random = !input.reliability.fields.fields.empty();
-      if (is_random != line.realisation.has_value())
-        throw is_random
-          ? UserError("Random fields/Names",
-                      "there are random fields, but no --realisation i",
-                      "waker run FILE --realisation i, waker campaign FILE, or "
-                      "--set \"Random fields/Names=\"")
-          : UserError("command line",
-                      "--realisation is given, but nothing is random",
-                      "a file with names in Random fields/Names");
+      if (!is_random && line.realisation)
+        throw UserError("command line",
+                        "--realisation is given, but nothing is random",
+                        "a file with names in Random fields/Names");
+      if (line.command == Command::strength_reduction)
+        return exit_code(reduce_strengths<dim>(input,
+                                               line.realisation,
+                                               line.scenario,
+                                               single_folder(line, input),
+                                               options,
+                                               MPI_COMM_WORLD));
+      if (is_random && !line.realisation)
+        throw UserError("Random fields/Names",
+                        "there are random fields, but no --realisation i",
+                        "waker run FILE --realisation i, waker campaign FILE, "
+                        "or --set \"Random fields/Names=\"");
       if (!is_random)
         return exit_code(run<dim>(input.simulation, options, MPI_COMM_WORLD));
       return exit_code(run_realisation<dim>(input,
                                             *line.realisation,
-                                            realisation_folder(line, input),
+                                            single_folder(line, input),
                                             options,
                                             MPI_COMM_WORLD));
     }

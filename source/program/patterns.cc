@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/patterns.h>
 
+#include <waker/base/expression_pattern.h>
 #include <waker/program/declared_parameters.h>
 #include <waker/program/prm_scanner.h>
 
@@ -107,6 +108,8 @@ namespace Waker
       }
     if (starts_with(pattern, "[FileName"))
       return "the name of a file";
+    if (ExpressionPattern::is_description(pattern))
+      return "a number or an expression";
     if (starts_with(pattern, "[Anything") ||
         starts_with(pattern, "[DirectoryName"))
       return "any text";
@@ -117,6 +120,8 @@ namespace Waker
   bool
   matches_pattern(const std::string &value, const std::string &pattern)
   {
+    if (ExpressionPattern::is_description(pattern))
+      return ExpressionPattern().match(value);
     return Patterns::pattern_factory(pattern)->match(value);
   }
 
@@ -133,7 +138,8 @@ namespace Waker
                     normalised(element, list.element);
         return result;
       }
-    if (starts_with(pattern, "[Double"))
+    if (starts_with(pattern, "[Double") ||
+        (ExpressionPattern::is_description(pattern) && plain_number(value)))
       {
         // Read as deal.II reads, written with the fewest digits that give
         // the same number again.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
-#include <waker/base/expression.h>
 #include <waker/base/random_numbers.h>
+#include <waker/reliability/field_moments.h>
 #include <waker/reliability/random_properties.h>
 
 #include <algorithm>
@@ -89,36 +89,6 @@ namespace Waker
                       "is \"" + field.material + "\"",
                       "one of the materials: " + names);
     }
-
-
-    /// Standard deviation (kPa) where the mean is `mean`.
-    double
-    spread(const RandomFieldParameters &field, const double mean)
-    {
-      return field.standard_deviation > 0.
-               ? field.standard_deviation
-               : field.coefficient_of_variation * mean;
-    }
-
-
-    /// The value that the material itself gives to the property.
-    template <int dim>
-    double
-    default_value(const Case<dim>             &the_case,
-                  const unsigned int           material,
-                  const std::string           &property,
-                  const RandomFieldParameters &field)
-    {
-      for (const MaterialVariable &variable :
-           the_case.materials[material]->variables())
-        if (variable.name == property)
-          return variable.initial_value;
-      throw UserError("Random fields/" + field.name + "/Property",
-                      "is \"" + property + "\", which the material \"" +
-                        the_case.parameters.materials[material].name +
-                        "\" does not have",
-                      "a material of the model \"von Mises softening\"");
-    }
   } // namespace
 
 
@@ -130,10 +100,10 @@ namespace Waker
     if (parameters.fields.empty())
       return;
 
-    const MaterialPoints<dim>   &points = the_case.initial_points;
-    std::vector<unsigned int>    numbers; // of the fields' materials
-    std::vector<FieldLattice>    lattices;
-    std::vector<Expression<dim>> means;
+    const MaterialPoints<dim>     &points = the_case.initial_points;
+    std::vector<unsigned int>      numbers; // of the fields' materials
+    std::vector<FieldLattice>      lattices;
+    std::vector<FieldMoments<dim>> moments;
     for (const RandomFieldParameters &field : parameters.fields)
       {
         const std::string  path     = "Random fields/" + field.name;
@@ -150,13 +120,7 @@ namespace Waker
                               parameters.fields[f].name + "\"",
                             "one field per property and material");
         numbers.push_back(material);
-        const double own =
-          default_value(the_case, material, field.property, field);
-        char number[40];
-        std::snprintf(number, sizeof number, "%.17g", own);
-        means.emplace_back(field.mean.empty() ? number : field.mean,
-                           path + "/Mean",
-                           "nothing, a number");
+        moments.emplace_back(the_case, field, material);
 
         const double largest = field.maximum < 1e299
                                  ? field.maximum
@@ -169,17 +133,23 @@ namespace Waker
                       {},
                       {},
                       {},
+                      {},
                       {}};
         lattices.push_back(make_lattice(the_case, field.cell_size));
         for (std::size_t q = 0; q < points.n_points(); ++q)
           if (points.material[q] == material)
             {
-              const Point<dim> &x         = points.initial_position[q];
-              const double      mean      = means.back().value(x, 0.);
-              const double      deviation = spread(field, mean);
-              std::string       problem;
-              if (!std::isfinite(mean) || !(mean >= 0.))
+              const Point<dim> &x = points.initial_position[q];
+              const auto [mean, deviation] =
+                moments.back().at(x, the_case.layers_of_points[q]);
+              std::string problem;
+              if (!moments.back().is_possible(mean))
                 problem = "is " + std::to_string(mean);
+              else if (!std::isfinite(deviation) || !(deviation >= 0.))
+                throw UserError(path + "/Standard deviation",
+                                "is " + std::to_string(deviation) + " at (" +
+                                  place_text(dim, coordinates(x)) + ")",
+                                "a finite number of at least 0 (kPa)");
               else if (deviation > 0.)
                 problem = target.marginal.problem(mean, deviation);
               if (!problem.empty())
@@ -187,7 +157,8 @@ namespace Waker
                                 problem + " at (" +
                                   place_text(dim, coordinates(x)) + ")",
                                 "a mean that fits distribution and limits, "
-                                "0 or more (kPa)");
+                                "above 0 (kPa; 0 or more of a residual "
+                                "strength)");
               target.points.push_back(q);
               target.cells.push_back(lattices.back().cell_of(coordinates(x)));
               target.mean.push_back(mean);
@@ -195,15 +166,21 @@ namespace Waker
             }
 
         // The residual strength goes along, unless it has its own field.
-        const std::string residual  = "residual strength";
-        bool              own_field = field.property == residual;
+        bool own_field = field.property == residual_strength;
         for (const RandomFieldParameters &other : parameters.fields)
           own_field =
-            own_field || (other.property == residual &&
+            own_field || (other.property == residual_strength &&
                           material_number(the_case, other) == material);
         if (!own_field)
-          target.residual_ratio =
-            default_value(the_case, material, residual, field) / own;
+          {
+            const auto initial = [&](const std::string &name) {
+              return points.scalars[points.find_scalar(name)].values.data();
+            };
+            const double *const c_i = initial(field.property);
+            const double *const c_r = initial(residual_strength);
+            for (const std::size_t q : target.points)
+              target.residual_ratio.push_back(c_r[q] / c_i[q]);
+          }
         targets.push_back(std::move(target));
       }
 
@@ -211,26 +188,28 @@ namespace Waker
                            const std::array<double, 3> &place,
                            const double                 value,
                            const double                 variance) {
-      const RandomFieldParameters &field  = parameters.fields[f];
-      const Target                &target = targets[f];
-      Point<dim>                   x;
+      const Target &target = targets[f];
+      Point<dim>    x;
       for (unsigned int d = 0; d < dim; ++d)
         x[d] = place[d];
-      const double mean      = means[f].value(x, 0.);
-      const double deviation = spread(field, mean);
 
       std::ostringstream what;
       what << "has the value " << value << " at (" << place_text(dim, place)
            << ")";
-      const std::string where = target.path + "/Measurements";
-      const std::size_t cell  = lattices[f].cell_of(place);
-      if (std::find(target.cells.begin(), target.cells.end(), cell) ==
-          target.cells.end())
+      const std::string        where = target.path + "/Measurements";
+      const std::size_t        cell  = lattices[f].cell_of(place);
+      std::vector<std::size_t> there; // points
+      for (std::size_t i = 0; i < target.cells.size(); ++i)
+        if (target.cells[i] == cell)
+          there.push_back(target.points[i]);
+      if (there.empty())
         throw UserError(where,
                         what.str() + ", where the field has no points",
                         "measurements in soil of the field's material");
+      const auto [mean, deviation] =
+        moments[f].at(x, moments[f].layer_at(x, there));
       std::string allowed;
-      if (!std::isfinite(mean) || !(mean >= 0.) ||
+      if (!moments[f].is_possible(mean) ||
           !target.marginal.problem(mean, deviation).empty())
         allowed = "none: there is no such distribution there";
       else
@@ -275,15 +254,38 @@ namespace Waker
                 place_text(dim, coordinates(state.points.initial_position[q])) +
                 ") is not finite");
           }
-        if (target.residual_ratio >= 0.)
-          {
-            std::vector<double> &residual =
-              state.points.scalar("residual strength");
-            const std::vector<double> &strength =
-              state.points.scalar(target.property);
-            for (const std::size_t q : target.points)
-              residual[q] = target.residual_ratio * strength[q];
-          }
+        set_residual(target, state);
+      }
+  }
+
+
+  template <int dim>
+  void
+  RandomProperties<dim>::apply_means(State<dim> &state) const
+  {
+    for (const Target &target : targets)
+      {
+        std::vector<double> &values = state.points.scalar(target.property);
+        for (std::size_t i = 0; i < target.points.size(); ++i)
+          values[target.points[i]] = target.mean[i];
+        set_residual(target, state);
+      }
+  }
+
+
+  template <int dim>
+  void
+  RandomProperties<dim>::set_residual(const Target &target,
+                                      State<dim>   &state) const
+  {
+    if (target.residual_ratio.empty())
+      return;
+    std::vector<double> &residual = state.points.scalar(residual_strength);
+    const std::vector<double> &strength = state.points.scalar(target.property);
+    for (std::size_t i = 0; i < target.points.size(); ++i)
+      {
+        const std::size_t q = target.points[i];
+        residual[q]         = target.residual_ratio[i] * strength[q];
       }
   }
 

@@ -61,38 +61,20 @@ namespace Waker
 
   template <int dim>
   RealisationRunner<dim>::RealisationRunner(
-    const Parameters             &p,
+    const Parameters             &parameters,
     const RandomFieldsParameters &fields,
     const unsigned int            attempts,
     const MPI_Comm                communicator)
-    : parameters(p)
-    , attempts(attempts)
-    , communicator(communicator)
-    , random_properties(case_of_attempt(0), fields)
+    : cases(parameters, attempts, communicator)
+    , random_properties(cases.first(), fields)
   {}
-
-
-  template <int dim>
-  const Case<dim> &
-  RealisationRunner<dim>::case_of_attempt(const unsigned int attempt)
-  {
-    while (cases.size() <= attempt)
-      {
-        Parameters smaller     = parameters;
-        smaller.time.time_step = std::ldexp(parameters.time.time_step,
-                                            -static_cast<int>(cases.size()));
-        cases.push_back(
-          std::make_unique<const Case<dim>>(smaller, communicator));
-      }
-    return *cases[attempt];
-  }
 
 
   template <int dim>
   State<dim>
   RealisationRunner<dim>::initial(const double *noise) const
   {
-    State<dim> state = initial_state(*cases[0]);
+    State<dim> state = initial_state(cases.first());
     random_properties.apply(noise, state);
     return state;
   }
@@ -106,7 +88,8 @@ namespace Waker
     State<dim>                       &state,
     Record                           &record) const
   {
-    const bool       inner_is_positive = parameters.water.inner_direction() > 0;
+    const bool inner_is_positive =
+      the_case.parameters.water.inner_direction() > 0;
     Realisation<dim> realisation(the_case, state);
     Tracer           tracer;
     bool             looked = false; // at the first slide
@@ -171,7 +154,7 @@ namespace Waker
   {
     const Clock::time_point start = Clock::now();
     Record                  record;
-    for (unsigned int attempt = 0; attempt < attempts; ++attempt)
+    for (unsigned int attempt = 0; attempt < cases.size(); ++attempt)
       {
         // The work of all attempts counts, what came out only of the last.
         Record next;
@@ -183,7 +166,7 @@ namespace Waker
         next.field_time        = record.field_time;
         record                 = std::move(next);
 
-        const Case<dim>        &the_case    = case_of_attempt(attempt);
+        const Case<dim>        &the_case    = cases[attempt];
         State<dim>              state       = initial_state(the_case);
         const Clock::time_point field_start = Clock::now();
         random_properties.apply(noise, state);

@@ -6,8 +6,7 @@
 #include <waker/reliability/campaign_files.h>
 #include <waker/reliability/journal.h>
 #include <waker/reliability/progress.h>
-#include <waker/reliability/random_properties.h>
-#include <waker/reliability/realisation_runner.h>
+#include <waker/reliability/realisation_setup.h>
 #include <waker/reliability/snapshots.h>
 
 #include <cmath>
@@ -30,8 +29,7 @@ namespace Waker
           const std::uint64_t realisation,
           const unsigned int  attempt)
     {
-      return "realisation " + std::to_string(realisation) + " of seed " +
-             std::to_string(input.reliability.campaign.seed) + ", attempt " +
+      return realisation_title(input, realisation) + ", attempt " +
              std::to_string(attempt + 1);
     }
 
@@ -50,33 +48,6 @@ namespace Waker
       parameters.time.time_step =
         std::ldexp(parameters.time.time_step, -static_cast<int>(attempt));
       return parameters;
-    }
-
-
-    template <int dim>
-    InitialSetup<dim>
-    initial_setup(const Input        &input,
-                  const std::uint64_t realisation,
-                  const unsigned int  attempt)
-    {
-      return [&input, realisation, attempt](const Case<dim> &the_case,
-                                            State<dim>      &state) {
-        const RandomProperties<dim> properties(the_case,
-                                               input.reliability.fields);
-        properties.apply(realisation_noise(input.reliability.campaign.seed,
-                                           realisation,
-                                           properties.n_noise())
-                           .data(),
-                         state);
-
-        std::vector<std::string> lines = properties.description();
-        const auto [mean, least]       = properties.mean_and_least(state);
-        char text[80];
-        std::snprintf(
-          text, sizeof text, ": mean %.3f, least %.3f kPa", mean, least);
-        lines.push_back("This is " + title(input, realisation, attempt) + text);
-        return lines;
-      };
     }
 
 
@@ -116,7 +87,9 @@ namespace Waker
           run<dim>(run_parameters(input, realisation, attempt, directory),
                    options,
                    communicator,
-                   initial_setup<dim>(input, realisation, attempt));
+                   realisation_setup<dim>(input,
+                                          realisation,
+                                          title(input, realisation, attempt)));
         if (status != RunStatus::numerical_failure || options.validate_only ||
             ++attempt >= input.reliability.campaign.attempts)
           return status;

@@ -8,6 +8,7 @@
 #include <waker/observers/dyke_geometry.h>
 #include <waker/particles/polygon.h>
 #include <waker/simulation/case.h>
+#include <waker/simulation/initial_properties.h>
 
 #include <algorithm>
 #include <cmath>
@@ -64,6 +65,7 @@ namespace Waker
                                         : std::move(given_materials))
     , flow(grid, materials, p)
     , fixities(grid, flow.conditions())
+    , depths(grid, p.layers)
     , full_node_mass(largest_density(materials) *
                      std::pow(p.grid.cell_size, dim))
     , riding_loads(p.tractions.size())
@@ -75,11 +77,14 @@ namespace Waker
         names.push_back(m < p.materials.size() ? p.materials[m].name : "");
         densities.push_back(materials[m]->density());
       }
-    initial_points =
-      make_material_points(grid, p.layers, p.points, names, densities);
+    initial_points = make_material_points(
+      grid, p.layers, p.points, names, densities, &layers_of_points);
     flow.fill(initial_points);
+    layers_of_points.resize(initial_points.n_points(), depths.n_layers());
     apply_point_loads(p.point_loads, initial_points);
     declare_material_variables(materials, initial_points);
+    InitialProperties<dim>(materials, depths)
+      .set(layers_of_points, initial_points);
     if (p.mapping.domains == "stretched")
       prepare_deformation(initial_points);
     set_initial_state();

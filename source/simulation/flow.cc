@@ -140,7 +140,16 @@ namespace Waker
                           "Newmark or quasi-static");
         typename Feeder<dim>::Variables variables;
         for (const MaterialVariable &variable : materials[m]->variables())
-          variables.emplace_back(variable.name, variable.initial_value);
+          {
+            const InitialValue &value = variable.initial_value;
+            if (value.varies())
+              throw UserError("Inflow/" + inflow.name + "/Material",
+                              "is " + inflow.material + ", of which " +
+                                value.path + " varies in space",
+                              "a material with numbers: what flows in is the "
+                              "same everywhere");
+            variables.emplace_back(variable.name, value.number);
+          }
         feeders.emplace_back(grid,
                              inflow,
                              parameters.points.points_per_direction,

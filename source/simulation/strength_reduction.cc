@@ -1,45 +1,129 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
 #include <waker/base/log.h>
-#include <waker/base/version.h>
 #include <waker/output/files.h>
 #include <waker/output/folder_lock.h>
 #include <waker/output/output_files.h>
 #include <waker/output/output_folder.h>
+#include <waker/simulation/attempts.h>
 #include <waker/simulation/describe.h>
+#include <waker/simulation/factor_report.h>
 #include <waker/simulation/realisation.h>
 #include <waker/simulation/run.h>
 #include <waker/simulation/trial_table.h>
 
 #include <cstdio>
 #include <iostream>
-#include <nlohmann/json.hpp>
-#include <sstream>
 
 namespace Waker
 {
   namespace
   {
+    using Role = MaterialVariable::Role;
+
     /// Thrown by nothing but an interrupt: leaves the search, keeps the table.
     struct Interrupted
     {};
 
 
+    std::vector<std::string>
+    strengths_of(const Material &material)
+    {
+      std::vector<std::string> names;
+      for (const MaterialVariable &variable : material.variables())
+        if (variable.role == Role::strength)
+          names.push_back(variable.name);
+      return names;
+    }
+
+
+    /// Divide all that the materials call a strength.
+    template <int dim>
+    void
+    divide_strengths(const Materials     &materials,
+                     const double         factor,
+                     MaterialPoints<dim> &points)
+    {
+      for (unsigned int m = 0; m < materials.size(); ++m)
+        for (const std::string &name : strengths_of(*materials[m]))
+          {
+            std::vector<double> &values = points.scalar(name);
+            for (std::size_t p = 0; p < points.n_points(); ++p)
+              if (points.material[p] == m)
+                values[p] /= factor;
+          }
+    }
+
+
+    /// Which materials are reduced, and which stay.
+    /// @throws UserError if none is reduced
+    std::vector<std::string>
+    describe_strengths(const Materials                       &materials,
+                       const std::vector<MaterialParameters> &parameters)
+    {
+      std::vector<std::string> lines;
+      bool                     any = false;
+      for (unsigned int m = 0; m < materials.size(); ++m)
+        {
+          std::string names;
+          for (const std::string &name : strengths_of(*materials[m]))
+            names += (names.empty() ? "" : ", ") + name;
+          any = any || !names.empty();
+          lines.push_back("  reduced   " + parameters[m].name + ": " +
+                          (names.empty()
+                             ? "nothing, it has no strength and stays as it is"
+                             : names));
+        }
+      if (!any)
+        throw UserError("Materials/Names",
+                        "no material has a strength to reduce",
+                        "a \"von Mises softening\" material");
+      return lines;
+    }
+
+
+    /// By the reading that the search stops at. What has not failed is stable
+    /// only if nothing would have gone on.
+    void
+    judge(const FailureRecord &failure,
+          const Unrest        &unrest,
+          const Parameters    &parameters,
+          Trial               &trial)
+    {
+      const double time = failure.time_of(parameters.stop.reading);
+      if (time < 0.)
+        {
+          trial.result =
+            unrest.is_final() ? TrialResult::stable : TrialResult::undecided;
+          trial.outcome = to_string(outcome_of(FailureRecord(), unrest));
+          return;
+        }
+      const std::string &reading = parameters.strength_reduction.reading;
+      const bool         moved =
+        failure.time_of(FailureReading::by_displacement) == time;
+      trial.result  = TrialResult::failed;
+      trial.time    = time;
+      trial.outcome = to_string(outcome_of(failure, unrest));
+      trial.reading = reading != "any" ? reading
+                      : moved          ? "displacement"
+                                       : "width or height";
+      trial.slope   = failure.slope();
+    }
+
+
+    /// @param first state at t = 0, strengths not yet divided
     template <int dim>
     Trial
-    try_factor(const Case<dim>  &the_case,
-               const double      factor,
-               const RunOptions &options,
-               Log              &log)
+    try_factor(const Case<dim>   &the_case,
+               const State<dim>  &first,
+               const double       factor,
+               const std::string &progress,
+               const RunOptions  &options,
+               Log               &log)
     {
-      State<dim> state = initial_state(the_case);
-      for (const char *const name :
-           {"undrained shear strength", "residual strength"})
-        for (double &strength : state.points.scalar(name))
-          strength /= factor;
-
+      State<dim> state = first;
+      divide_strengths(the_case.materials, factor, state.points);
       Realisation<dim> realisation(the_case, state);
-      Trial            trial;
       while (realisation.look() == StopReason::none)
         {
           if (options.interrupt != nullptr && *options.interrupt != 0)
@@ -47,10 +131,11 @@ namespace Waker
           realisation.advance();
           if (log.progress_due())
             {
-              char text[80];
+              char text[120];
               std::snprintf(text,
                             sizeof text,
-                            "factor %.4f, t = %.2f s, W = %.2f m",
+                            "%s, factor %.4f, t = %.2f s, W = %.2f m",
+                            progress.c_str(),
                             factor,
                             state.time,
                             state.failure.geometry.width);
@@ -59,86 +144,86 @@ namespace Waker
             }
         }
       log.end_progress();
-      const double failure_time =
-        state.failure.time_of(the_case.parameters.stop.reading);
-      trial.failed = failure_time >= 0.;
-      trial.time   = trial.failed ? failure_time : state.time;
-      trial.outcome =
-        to_string(outcome_of(state.failure, realisation.unrest()));
-      if (!state.failure.slope().empty())
-        trial.outcome += " (" + state.failure.slope() + " slope)";
+      Trial trial;
+      trial.time = state.time;
+      judge(state.failure, realisation.unrest(), the_case.parameters, trial);
+      return trial;
+    }
+
+
+    /// As in a campaign: with half the time step if it fails numerically, until
+    /// the attempts are used up.
+    template <int dim>
+    Trial
+    try_factor(Attempts<dim>     &cases,
+               const State<dim>  &first,
+               const double       factor,
+               const std::string &progress,
+               const RunOptions  &options,
+               Log               &log)
+    {
+      Trial trial;
+      for (unsigned int attempt = 0; attempt < cases.size(); ++attempt)
+        try
+          {
+            trial =
+              try_factor(cases[attempt], first, factor, progress, options, log);
+            trial.attempts = attempt + 1;
+            return trial;
+          }
+        catch (const NumericalFailure &failure)
+          {
+            log.end_progress();
+            log.line("  factor " + std::to_string(factor) + ", attempt " +
+                     std::to_string(attempt + 1) +
+                     ": numerical failure: " + failure.what());
+          }
+      trial.outcome  = "numerical failure";
+      trial.attempts = cases.size();
       return trial;
     }
 
 
     template <int dim>
     RunStatus
-    search(const Case<dim>  &the_case,
-           const RunOptions &options,
-           TrialTable       &table,
-           Log              &log)
+    search(Attempts<dim>     &cases,
+           const State<dim>  &first,
+           const RunOptions  &options,
+           const std::string &strengths,
+           TrialTable        &table,
+           Log               &log)
     {
-      const StrengthReductionParameters &p =
-        the_case.parameters.strength_reduction;
-      const auto fails = [&](const double factor) {
-        const bool known = table.find(factor) != nullptr;
-        if (!known)
-          table.add(factor, try_factor(the_case, factor, options, log));
-        const Trial &trial = *table.find(factor);
-        char         text[160];
-        std::snprintf(text,
-                      sizeof text,
-                      "  factor %.4f: %s at t = %.2f s (%s)%s",
-                      factor,
-                      trial.failed ? "fails " : "stable",
-                      trial.time,
-                      trial.outcome.c_str(),
-                      known ? ", known" : "");
-        log.line(text);
-        return trial.failed;
-      };
-
-      double     stable = p.lower_factor, failed = p.upper_factor;
-      const bool lower_fails = fails(stable);
-      const bool upper_fails = lower_fails || fails(failed);
-      const bool has_bracket = !lower_fails && upper_fails;
-      while (has_bracket && failed - stable > p.tolerance)
+      const Parameters                  &parameters = cases.first().parameters;
+      const StrengthReductionParameters &p = parameters.strength_reduction;
+      FactorSearch search(p.lower_factor, p.upper_factor, p.tolerance);
+      unsigned int n_done = 0;
+      while (const std::optional<double> factor = search.next())
         {
-          const double middle               = 0.5 * (stable + failed);
-          (fails(middle) ? failed : stable) = middle;
+          const bool known = table.find(*factor) != nullptr;
+          if (!known)
+            table.add(*factor,
+                      try_factor(cases,
+                                 first,
+                                 *factor,
+                                 "trial " + std::to_string(n_done + 1) +
+                                   " of about " +
+                                   std::to_string(n_done + search.n_left()),
+                                 options,
+                                 log));
+          ++n_done;
+          const Trial &trial = *table.find(*factor);
+          log.line("  " + describe_trial(*factor, trial) +
+                   (known ? ", known" : ""));
+          search.add(trial.result);
         }
 
-      nlohmann::ordered_json json;
-      json["schema_version"] = 1;
-      json["factor_of_safety"] =
-        has_bracket ? nlohmann::ordered_json(0.5 * (stable + failed))
-                    : nlohmann::ordered_json();
-      json["highest_stable_factor"] =
-        lower_fails ? nlohmann::ordered_json()
-                    : nlohmann::ordered_json(upper_fails ? stable : failed);
-      json["lowest_failed_factor"] =
-        lower_fails   ? nlohmann::ordered_json(stable)
-        : upper_fails ? nlohmann::ordered_json(failed)
-                      : nlohmann::ordered_json();
-      json["trials"]          = table.size();
-      json["parameters_hash"] = the_case.parameters.hash;
-      json["version"]         = WAKER_VERSION;
-      write_file(file_path(the_case.parameters.output.directory,
+      write_file(file_path(parameters.output.directory,
                            OutputFile::strength_result),
-                 json.dump(2) + "\n");
-
-      std::ostringstream text;
-      if (has_bracket)
-        text << "Factor of safety: " << 0.5 * (stable + failed)
-             << " (stable at " << stable << ", fails at " << failed << ", "
-             << table.size() << " trials)";
-      else if (lower_fails)
-        text << "Fails at the lower factor " << stable
-             << " already: lower \"Strength reduction/Lower factor\".";
-      else
-        text << "Stable at the upper factor " << failed
-             << " still: raise \"Strength reduction/Upper factor\".";
-      log.line(text.str());
+                 search_json(search, table, strengths, parameters.hash));
+      log.line(search_conclusion(search, table.all().size()));
+      for (const double factor : search.undecided())
+        if (table.find(factor)->outcome == "numerical failure")
+          return RunStatus::numerical_failure;
       return RunStatus::completed;
     }
   } // namespace
@@ -146,9 +231,10 @@ namespace Waker
 
   template <int dim>
   RunStatus
-  run_strength_reduction(const Parameters &given,
-                         const RunOptions &options,
-                         const MPI_Comm    communicator)
+  run_strength_reduction(const Parameters             &given,
+                         const RunOptions             &options,
+                         const MPI_Comm                communicator,
+                         const StrengthsToReduce<dim> &strengths)
   {
     Parameters parameters              = given;
     parameters.stop.on_initial_failure = true;
@@ -162,22 +248,36 @@ namespace Waker
     check_output_folder(directory, mode);
     if (!options.validate_only)
       refuse_locked_folder(directory);
-    const Case<dim> the_case(parameters, communicator);
-    if (the_case.initial_points.find_scalar("undrained shear strength") < 0)
-      throw UserError("Materials/Names",
-                      "no material has an undrained shear strength to reduce",
-                      "a \"von Mises softening\" material");
-    Log log(std::cout, Log::is_terminal());
-    describe_case(the_case, log);
+    Attempts<dim>    cases(parameters, strengths.attempts, communicator);
+    const Case<dim> &the_case = cases.first();
+    const std::vector<std::string> reduced =
+      describe_strengths(the_case.materials, parameters.materials);
+    State<dim>               first = initial_state(the_case);
+    std::vector<std::string> setup_lines;
+    if (strengths.setup)
+      setup_lines = strengths.setup(the_case, first);
+
+    Log        log(std::cout, Log::is_terminal());
+    const auto describe = [&]() {
+      describe_case(the_case, log);
+      for (const std::vector<std::string> &lines : {reduced, setup_lines})
+        for (const std::string &line : lines)
+          log.line(line);
+      log.line("Strengths: " + strengths.name + ".");
+    };
     if (options.validate_only)
       {
+        describe();
         log.line("Valid. Nothing was written.");
         return RunStatus::completed;
       }
-    // The end time belongs to a trial, though not to the hash. A table that
-    // does not fit is refused before anything is written.
-    const std::string key = parameters.hash + ", to " +
-                            std::to_string(parameters.time.end_time) + " s";
+    // A table that does not fit is refused before anything is written.
+    const std::string key =
+      (strengths.key.empty() ? parameters.hash + ", to " +
+                                 std::to_string(parameters.time.end_time) + " s"
+                             : strengths.key) +
+      ", strengths: " + strengths.name +
+      ", reading: " + parameters.strength_reduction.reading;
     const FolderLock lock = lock_folder(directory, "waker strength-reduction");
     TrialTable       table(directory, key, options.resume);
     prepare_output_folder(directory, mode, parameters.text);
@@ -187,29 +287,28 @@ namespace Waker
       log.line(std::to_string(table.n_damaged()) + " damaged line(s) of " +
                file_name(OutputFile::strength_table) +
                " dropped; their trials are made again.");
+    describe();
     try
       {
-        return search(the_case, options, table, log);
+        return search(cases, first, options, strengths.name, table, log);
       }
     catch (const Interrupted &)
       {
+        log.end_progress();
         log.line("Interrupted; the trials made are kept, go on with --resume.");
         return RunStatus::interrupted;
-      }
-    catch (const NumericalFailure &failure)
-      {
-        log.line(std::string("Numerical failure: ") + failure.what());
-        return RunStatus::numerical_failure;
       }
   }
 
 
   template RunStatus
-  run_strength_reduction<2>(const Parameters &,
-                            const RunOptions &,
-                            const MPI_Comm);
+  run_strength_reduction(const Parameters &,
+                         const RunOptions &,
+                         const MPI_Comm,
+                         const StrengthsToReduce<2> &);
   template RunStatus
-  run_strength_reduction<3>(const Parameters &,
-                            const RunOptions &,
-                            const MPI_Comm);
+  run_strength_reduction(const Parameters &,
+                         const RunOptions &,
+                         const MPI_Comm,
+                         const StrengthsToReduce<3> &);
 } // namespace Waker

@@ -17,21 +17,20 @@ namespace Waker
 {
   namespace
   {
-    const std::string columns = "factor,failed,time_s,outcome";
-    const std::string crc     = ",crc"; // not of earlier versions
+    const std::string columns =
+      "factor,result,time_s,outcome,reading,slope,attempts";
+    const std::string crc = ",crc";
 
 
     std::string
     line_of(const double factor, const Trial &trial)
     {
-      char numbers[80];
-      std::snprintf(numbers,
-                    sizeof numbers,
-                    "%.17g,%d,%.10g,",
-                    factor,
-                    trial.failed ? 1 : 0,
-                    trial.time);
-      return numbers + trial.outcome;
+      char numbers[2][40];
+      std::snprintf(numbers[0], sizeof numbers[0], "%.17g", factor);
+      std::snprintf(numbers[1], sizeof numbers[1], "%.10g", trial.time);
+      return std::string(numbers[0]) + "," + to_string(trial.result) + "," +
+             numbers[1] + "," + trial.outcome + "," + trial.reading + "," +
+             trial.slope + "," + std::to_string(trial.attempts);
     }
 
 
@@ -49,13 +48,27 @@ namespace Waker
     parse(const std::string &line, double &factor, Trial &trial)
     {
       const std::vector<std::string> parts = split(line, ',');
-      if (parts.size() != 4 || !read_number(parts[0], factor) ||
+      double                         attempts;
+      if (parts.size() != 7 || !read_number(parts[0], factor) ||
           !read_number(parts[2], trial.time) ||
-          (parts[1] != "0" && parts[1] != "1"))
+          !read_number(parts[6], attempts))
         return false;
-      trial.failed  = parts[1] == "1";
+      bool is_result = false;
+      for (const TrialResult result :
+           {TrialResult::stable, TrialResult::failed, TrialResult::undecided})
+        if (to_string(result) == parts[1])
+          {
+            trial.result = result;
+            is_result    = true;
+          }
       trial.outcome = parts[3];
-      return factor > 0. && trial.time >= 0. && trial.time < 1e12;
+      trial.reading = parts[4];
+      trial.slope   = parts[5];
+      if (!is_result || !(factor > 0.) || !(trial.time >= 0.) ||
+          !(trial.time < 1e12) || !(attempts >= 1.) || !(attempts < 1e6))
+        return false;
+      trial.attempts = static_cast<unsigned int>(attempts);
+      return true;
     }
   } // namespace
 
@@ -105,20 +118,18 @@ namespace Waker
   {
     std::istringstream file(read_file(path));
     std::string        line;
-    if (std::getline(file, line) && line != "# parameters " + key)
+    if (!std::getline(file, line) || line != "# parameters " + key ||
+        !std::getline(file, line) || line != columns + crc)
       throw UserError("Output/Directory",
-                      path + " belongs to another case",
+                      path + " belongs to another case or version",
                       "--resume with the parameters it was made with, or "
                       "--overwrite");
-    std::getline(file, line);
-    const bool is_plain = line == columns;
     while (std::getline(file, line))
       {
         const std::size_t comma = line.rfind(',');
-        const std::string rest  = is_plain ? line : line.substr(0, comma);
-        const bool        good =
-          is_plain || (comma != std::string::npos &&
-                       line.substr(comma + 1) == checksum_of_text(rest, key));
+        const std::string rest  = line.substr(0, comma);
+        const bool        good  = comma != std::string::npos &&
+                          line.substr(comma + 1) == checksum_of_text(rest, key);
         double factor;
         Trial  trial;
         if (good && parse(rest, factor, trial))

@@ -40,8 +40,8 @@ namespace
   shear(const std::string &invariant, const double gamma, const unsigned int n)
   {
     MaterialParameters parameters; // of chapter 5 by default
-    parameters.initial_strength         = c_i;
-    parameters.residual_strength        = c_r;
+    parameters.initial_strength         = std::to_string(c_i);
+    parameters.residual_strength        = std::to_string(c_r);
     parameters.softening_modulus        = H_s;
     parameters.plastic_strain_invariant = invariant;
     Materials materials;

@@ -27,7 +27,7 @@ namespace
     std::vector<MaterialVariable>
     variables() const override
     {
-      return {{"count", "-", 3., false}};
+      return {{"count", "-", 3., MaterialVariable::Role::history}};
     }
 
     double

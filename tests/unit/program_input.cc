@@ -176,10 +176,7 @@ TEST(Program, values_of_wrong_type_or_out_of_range)
 TEST(Program, values_that_make_no_sense)
 {
   const std::string clay = "Materials/clay/";
-  expect_override_error(clay + "Initial strength",
-                        "-1",
-                        "\"-1\"",
-                        "at least 0");
+  expect_override_error(clay + "Initial strength", "-1", "-1 kPa", "above 0");
   expect_override_error(clay + "Initial strength", "0", "0 kPa", "above 0");
   expect_error(with("= 3.85", "= 11"), {}, ":11", "11 kPa", "initial strength");
   expect_override_error(clay + "Poisson's ratio", "0.5", "0.5", "below 0.5");

@@ -23,9 +23,15 @@ namespace Waker
     write_three(const TemporaryFolder &folder)
     {
       TrialTable table(folder.path, key, false);
-      table.add(0.5, {false, 40., "end time"});
-      table.add(2., {true, 1.25, "initial failure"});
-      table.add(1. / 3., {false, 12.5, "never failed and at rest"});
+      table.add(0.5, {TrialResult::undecided, 40., "still moving", "", "", 1});
+      table.add(2.,
+                {TrialResult::failed,
+                 1.25,
+                 "initial failure",
+                 "width or height",
+                 "inner",
+                 2});
+      table.add(1. / 3., {TrialResult::stable, 12.5, "stable", "", "", 1});
     }
   } // namespace
 
@@ -35,20 +41,25 @@ namespace Waker
     const TemporaryFolder folder;
     write_three(folder);
     const TrialTable table(folder.path, key, true);
-    EXPECT_EQ(table.size(), 3u);
+    EXPECT_EQ(table.all().size(), 3u);
     EXPECT_EQ(table.n_damaged(), 0u);
     const Trial *trial = table.find(1. / 3.);
     ASSERT_NE(trial, nullptr);
-    EXPECT_FALSE(trial->failed);
+    EXPECT_EQ(trial->result, TrialResult::stable);
     EXPECT_EQ(trial->time, 12.5);
-    EXPECT_EQ(trial->outcome, "never failed and at rest");
-    EXPECT_TRUE(table.find(2.)->failed);
+    EXPECT_EQ(trial->outcome, "stable");
+    EXPECT_EQ(table.find(0.5)->result, TrialResult::undecided);
+    trial = table.find(2.);
+    EXPECT_EQ(trial->result, TrialResult::failed);
+    EXPECT_EQ(trial->reading, "width or height");
+    EXPECT_EQ(trial->slope, "inner");
+    EXPECT_EQ(trial->attempts, 2u);
     EXPECT_EQ(table.find(0.7), nullptr);
 
-    EXPECT_EQ(TrialTable(folder.path, key, false).size(), 0u); // anew
+    EXPECT_EQ(TrialTable(folder.path, key, false).all().size(), 0u); // anew
     EXPECT_THROW(TrialTable(folder.path, "other", true), UserError);
     const TemporaryFolder empty;
-    EXPECT_EQ(TrialTable(empty.path, key, true).size(), 0u);
+    EXPECT_EQ(TrialTable(empty.path, key, true).all().size(), 0u);
   }
 
 
@@ -66,29 +77,23 @@ namespace Waker
           put(file(folder), damaged);
           const TrialTable table(folder.path, key, true);
           EXPECT_GE(table.n_damaged(), 1u) << byte;
-          EXPECT_LE(table.size(), 2u) << byte;
-          EXPECT_GE(table.size(), 1u) << byte;
+          EXPECT_LE(table.all().size(), 2u) << byte;
+          EXPECT_GE(table.all().size(), 1u) << byte;
         }
     // A last line that is cut short.
     put(file(folder), whole.substr(0, whole.size() - 20));
-    EXPECT_EQ(TrialTable(folder.path, key, true).size(), 2u);
+    EXPECT_EQ(TrialTable(folder.path, key, true).all().size(), 2u);
     EXPECT_EQ(TrialTable(folder.path, key, true).n_damaged(), 1u);
   }
 
 
-  // Tables of version 0.1 stay readable: change this text never.
-  TEST(Simulation, trials_of_an_earlier_version_are_read)
+  TEST(Simulation, trials_of_an_earlier_version_are_refused)
   {
+    // They were judged by width and height, even where the hash is the same.
     const TemporaryFolder folder;
     put(file(folder),
         "# parameters 0123abcd, to 40 s\nfactor,failed,time_s,outcome\n"
-        "0.5,0,40,end time\n2,1,1.25,initial failure\n1.5,7,1,x\n1.2,1,1e3");
-    const TrialTable table(folder.path, key, true);
-    EXPECT_EQ(table.size(), 2u);
-    EXPECT_EQ(table.n_damaged(), 2u);
-    EXPECT_TRUE(table.find(2.)->failed);
-    table.write();
-    EXPECT_EQ(TrialTable(folder.path, key, true).size(), 2u);
-    EXPECT_NE(get(file(folder)).find("outcome,crc\n"), std::string::npos);
+        "0.5,0,40,end time\n2,1,1.25,initial failure\n");
+    EXPECT_THROW(TrialTable(folder.path, key, true), UserError);
   }
 } // namespace Waker

@@ -21,10 +21,12 @@ namespace Waker
 
     std::string material; // a name of "Materials/Names"; empty: the only one
     std::string property = "undrained shear strength"; // of the material
-    /// Expression of x, y, z (m); empty: the material's own value.
+    /// Expression of the place (PlaceExpression); empty: the material's own
+    /// value.
     std::string mean;
     double      coefficient_of_variation = 0.2; // of the mean at that place
-    double      standard_deviation       = 0.;  // > 0: instead of the former
+    /// Unless "0": instead of the former (kPa), likewise an expression.
+    std::string standard_deviation = "0";
     /// What the spread belongs to: "cells" (averages) or "points".
     std::string statistics   = "cells";
     std::string distribution = "normal";
@@ -43,6 +45,10 @@ namespace Waker
 
     void
     add_parameters(ParameterHandler &prm);
+
+    /// Instead of the coefficient of variation?
+    bool
+    has_standard_deviation() const;
 
     /// @throws UserError "Random fields/<name>/..."
     void

@@ -19,13 +19,15 @@ namespace Waker
     std::string name; // of the subsection
 
     /// "linear elastic" or "von Mises softening".
-    std::string model             = "von Mises softening";
-    double      unit_weight       = 15.;   // kN/m^3
-    double      youngs_modulus    = 1000.; // kPa
-    double      poissons_ratio    = 0.45;  // -
-    double      initial_strength  = 13.;   // c_i, kPa
-    double      residual_strength = 5.;    // c_r, kPa
-    double      softening_modulus = -50.;  // H_s = dc / d(plastic strain), kPa
+    std::string model          = "von Mises softening";
+    double      unit_weight    = 15.;   // kN/m^3
+    double      youngs_modulus = 1000.; // kPa
+    double      poissons_ratio = 0.45;  // -
+    /// c_i (kPa): a number, or an expression of the place.
+    std::string initial_strength = "13";
+    /// c_r (kPa), likewise; it may contain "initial_strength".
+    std::string residual_strength = "5";
+    double      softening_modulus = -50.; // H_s = dc / d(plastic strain), kPa
     /// Which invariant softens: "equivalent" sqrt(2/3 e:e) or "half"
     /// sqrt(1/2 e:e) (see numerics: the thesis does not print it).
     std::string plastic_strain_invariant = "equivalent";

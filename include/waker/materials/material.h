@@ -4,20 +4,60 @@
 
 #include <deal.II/base/symmetric_tensor.h>
 
+#include <limits>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Waker
 {
   using namespace dealii;
 
+  /// What a point's variable is at the start: a number, or what an expression
+  /// of the point's place says (simulation/initial_properties.h).
+  struct InitialValue
+  {
+    InitialValue(const double number, const std::string &path = "")
+      : number(number)
+      , path(path)
+    {}
+
+    InitialValue(const std::string &expression, const std::string &path)
+      : number(std::numeric_limits<double>::quiet_NaN())
+      , expression(expression)
+      , path(path)
+    {}
+
+    bool
+    varies() const
+    {
+      return !expression.empty();
+    }
+
+    double      number; // NaN if it varies
+    std::string expression;
+    std::string path; // of the parameter, for errors
+  };
+
+
   /// A scalar that a material keeps for each point.
   struct MaterialVariable
   {
-    std::string name;          // "plastic strain"
-    std::string unit;          // "-", "kPa", ...
-    double      initial_value; // of every point at the start
-    bool        is_constant;   // a property (strength), not history
+    /// What a variable is to those who do not know the law.
+    enum class Role
+    {
+      strength, // divided by a strength reduction
+      history   // what the point has gone through
+    };
+
+    std::string  name; // "plastic strain"
+    std::string  unit; // "-", "kPa", ...
+    InitialValue initial_value;
+    Role         role;
+    /// Its initial value in the expressions of variables further down the
+    /// list; empty: they cannot ask for it.
+    std::string symbol = "";
   };
 
   /**
@@ -39,6 +79,11 @@ namespace Waker
     /// below. The same name in two materials means the same thing.
     virtual std::vector<MaterialVariable>
     variables() const = 0;
+
+    /// Can a point start with these variables? If not: the number of the first
+    /// that is wrong, and what is allowed. By default anything finite is.
+    virtual std::optional<std::pair<unsigned int, std::string>>
+    initial_problem(const std::vector<double> &variables) const;
 
     /**
      * The stress after a strain increment.

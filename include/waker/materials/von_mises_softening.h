@@ -29,18 +29,22 @@ namespace Waker
 
     /// @param initial_strength, residual_strength, softening_modulus in kPa;
     /// the strengths are the points' default, each point has its own
-    VonMisesSoftening(const double    density,
-                      const double    youngs_modulus,
-                      const double    poissons_ratio,
-                      const double    initial_strength,
-                      const double    residual_strength,
-                      const double    softening_modulus,
-                      const Invariant invariant = Invariant::equivalent);
+    VonMisesSoftening(const double        density,
+                      const double        youngs_modulus,
+                      const double        poissons_ratio,
+                      const InitialValue &initial_strength,
+                      const InitialValue &residual_strength,
+                      const double        softening_modulus,
+                      const Invariant     invariant = Invariant::equivalent);
 
     /// "undrained shear strength" (now, kPa), "residual strength" (kPa),
-    /// "plastic strain" (-).
+    /// "plastic strain" (-). The residual strength may be an expression of
+    /// "initial_strength".
     std::vector<MaterialVariable>
     variables() const override;
+
+    std::optional<std::pair<unsigned int, std::string>>
+    initial_problem(const std::vector<double> &variables) const override;
 
     double
     update(const SymmetricTensor<2, 3> &strain_increment,
@@ -59,10 +63,10 @@ namespace Waker
                   double (*tangent)[block_size]) const override;
 
   private:
-    double initial_strength;
-    double residual_strength;
-    double plastic_strain_factor; // invariant / equivalent plastic strain
-    double softening;             // dc / d(equivalent plastic strain), kPa
+    InitialValue initial_strength;
+    InitialValue residual_strength;
+    double       plastic_strain_factor; // invariant / equivalent plastic strain
+    double       softening; // dc / d(equivalent plastic strain), kPa
   };
 } // namespace Waker
 

@@ -96,6 +96,7 @@ namespace Waker
    *
    * @param densities mass density of each material (Mg/m^3), by number
    * @param material_names to find a layer's material
+   * @param layers_of_points if not null: out, the number of each point's layer
    * @throws UserError: no layers, a polygon or extent outside the grid's box
    * (margin not included), layers that overlap, an unknown material, an extent
    * or velocity of the wrong length, a velocity or stress that is no number at
@@ -108,7 +109,8 @@ namespace Waker
                        const std::vector<LayerParameters> &layers,
                        const MaterialPointParameters      &parameters,
                        const std::vector<std::string>     &material_names,
-                       const std::vector<double>          &densities);
+                       const std::vector<double>          &densities,
+                       std::vector<unsigned int> *layers_of_points = nullptr);
 
   /// Volume of the layers (area x extent), m^dim: what the points must have.
   /// @throws UserError for polygons and extents as make_material_points()

@@ -39,6 +39,11 @@ namespace Waker
     void
     apply(const double *noise, State<dim> &state) const;
 
+    /// Give them the means of the fields instead, with their trend. What is
+    /// measured is of no account.
+    void
+    apply_means(State<dim> &state) const;
+
     /// Mass average and least value (kPa) of the first field's property in the
     /// points that have it; 0 without fields.
     std::pair<double, double>
@@ -59,9 +64,13 @@ namespace Waker
       std::vector<std::size_t> cells;  // of its lattice, one per point
       std::vector<double>      mean;   // kPa, one per point
       std::vector<double>      standard_deviation;
-      /// Of c_r to c_i, if the residual strength goes along; else negative.
-      double residual_ratio = -1.;
+      /// Of c_r to c_i, one per point if the residual strength goes along;
+      /// else empty.
+      std::vector<double> residual_ratio;
     };
+
+    void
+    set_residual(const Target &target, State<dim> &state) const;
 
     std::unique_ptr<RandomFields>            fields; // none: deterministic
     std::vector<Target>                      targets;

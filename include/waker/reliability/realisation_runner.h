@@ -4,10 +4,10 @@
 
 #include <waker/reliability/random_properties.h>
 #include <waker/reliability/record.h>
+#include <waker/simulation/attempts.h>
 #include <waker/simulation/realisation.h>
 
 #include <csignal>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,7 +36,7 @@ namespace Waker
     const Case<dim> &
     first_case() const
     {
-      return *cases[0];
+      return cases.first();
     }
 
     const RandomProperties<dim> &
@@ -73,10 +73,6 @@ namespace Waker
         const volatile std::sig_atomic_t *interrupt);
 
   private:
-    /// The case with the time step halved `attempt` times.
-    const Case<dim> &
-    case_of_attempt(const unsigned int attempt);
-
     /// @return false if interrupted
     bool
     run_to_end(const Case<dim>                  &the_case,
@@ -84,11 +80,8 @@ namespace Waker
                State<dim>                       &state,
                Record                           &record) const;
 
-    Parameters                                    parameters;
-    unsigned int                                  attempts;
-    MPI_Comm                                      communicator;
-    std::vector<std::unique_ptr<const Case<dim>>> cases;
-    RandomProperties<dim>                         random_properties;
+    Attempts<dim>         cases;
+    RandomProperties<dim> random_properties;
   };
 } // namespace Waker
 

@@ -14,6 +14,7 @@
 #include <waker/mechanics/stress_update.h>
 #include <waker/nodes/fixities.h>
 #include <waker/nodes/nodal_state.h>
+#include <waker/particles/soil_depths.h>
 #include <waker/simulation/flow.h>
 #include <waker/simulation/parameters.h>
 
@@ -46,8 +47,11 @@ namespace Waker
     const Materials                     materials;
     const Flow<dim>                     flow;
     const Fixities<dim>                 fixities;
+    const SoilDepths<dim>               depths;
     const double        full_node_mass; // Mg, of a node inside the body
     MaterialPoints<dim> initial_points;
+    /// Number of each one's layer; no layer has the number of what flows in.
+    std::vector<unsigned int>      layers_of_points;
     typename Walls<dim>::Tractions initial_wall_tractions; // kPa
     /// Of the tractions, one each; without pieces for those that do not ride.
     std::vector<RidingLoad<dim>> riding_loads;

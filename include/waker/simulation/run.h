@@ -55,20 +55,38 @@ namespace Waker
       const MPI_Comm           communicator,
       const InitialSetup<dim> &setup = {});
 
+  /// Which strengths a strength reduction starts from.
+  template <int dim>
+  struct StrengthsToReduce
+  {
+    std::string       name = "those of the materials"; // for log and JSON
+    InitialSetup<dim> setup;                           // may be empty
+    /// Attempts at a trial that fails numerically, each with half the time
+    /// step.
+    unsigned int attempts = 1;
+    /// What, beside the name, tells the trials of this case from those of
+    /// others; empty: the parameters' hash and end time.
+    std::string key;
+  };
+
+
   /**
    * Find the factor of safety by strength reduction: realisations with all
-   * strengths divided by a factor, softening modulus kept, until the factors
-   * of a stable and of a failed one are closer than the tolerance. Failed =
-   * initial failure before the end time. Writes strength_reduction.csv (one
-   * line a factor) and strength_reduction.json.
+   * strengths divided by a factor (MaterialVariable::Role), softening modulus
+   * kept, until the factors of a stable and of a failed one are closer than the
+   * tolerance. Failed = initial failure before the end time. A trial that fails
+   * numerically in all its attempts is neither (FactorSearch). Writes
+   * strength_reduction.csv (one line a factor) and strength_reduction.json.
    *
+   * @return numerical_failure if such trials are left inside the bracket
    * @throws UserError before anything is written
    */
   template <int dim>
   RunStatus
-  run_strength_reduction(const Parameters &parameters,
-                         const RunOptions &options,
-                         const MPI_Comm    communicator);
+  run_strength_reduction(const Parameters             &parameters,
+                         const RunOptions             &options,
+                         const MPI_Comm                communicator,
+                         const StrengthsToReduce<dim> &strengths = {});
 } // namespace Waker
 
 #endif

@@ -2,6 +2,8 @@
 #ifndef waker_simulation_trial_table_h
 #define waker_simulation_trial_table_h
 
+#include <waker/simulation/factor_search.h>
+
 #include <map>
 #include <string>
 
@@ -10,16 +12,20 @@ namespace Waker
   /// The realisation at one factor of a strength reduction.
   struct Trial
   {
-    bool        failed  = false;
-    double      time    = 0.; // of failure, or of the end, s
-    std::string outcome = "interrupted";
+    TrialResult  result = TrialResult::undecided;
+    double       time   = 0.; // of failure, or of the end, s
+    std::string  outcome;     // of the realisation
+    std::string  reading;     // that has seen the failure; empty: none
+    std::string  slope;       // that slid; empty: not known
+    unsigned int attempts = 1;
   };
 
 
   /**
    * The trials made so far, on disk: an interrupted search goes on where it
    * was. A line a trial, with a checksum; a damaged line is dropped, and its
-   * trial made again. Lines without checksums, of earlier versions, are read.
+   * trial made again. Tables of earlier versions, whose trials were judged by
+   * other readings, are refused.
    */
   class TrialTable
   {
@@ -44,10 +50,10 @@ namespace Waker
       return n_dropped;
     }
 
-    std::size_t
-    size() const
+    const std::map<double, Trial> &
+    all() const
     {
-      return trials.size();
+      return trials;
     }
 
     /// Add a trial and write the file.

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_particles_soil_depths_h
+#define waker_particles_soil_depths_h
+
+#include <deal.II/base/point.h>
+
+#include <waker/grid/background_grid.h>
+#include <waker/particles/polygon.h>
+#include <waker/particles/soil_profile.h>
+
+#include <vector>
+
+namespace Waker
+{
+  using namespace dealii;
+
+  /// How deep a place lies, vertically (m), at least 0.
+  struct Depths
+  {
+    double below_surface; // the highest soil over or at the place
+    double in_layer;      // below the top of its layer
+  };
+
+
+  /**
+   * Depths in a soil profile, before anything moves. The surface is the
+   * highest edge of any layer at the place's x (3D: of the layers whose extent
+   * holds its z). The top of a layer is that edge of its polygon which a
+   * vertical line upwards from the place meets first, so that each limb of a
+   * concave layer has its own. A place outside its layer, as the centre of a
+   * row's support domain may be, has a depth of 0 in it.
+   */
+  template <int dim>
+  class SoilDepths
+  {
+  public:
+    /// @throws UserError as make_material_points()
+    SoilDepths(const BackgroundGrid<dim>          &grid,
+               const std::vector<LayerParameters> &layers);
+
+    /// @param layer number of the layer that the place belongs to; one that
+    /// there is not (of soil that flows in): both depths are NaN
+    Depths
+    at(const Point<dim> &x, const unsigned int layer) const;
+
+    /// Does the place lie in the layer, or on its edge?
+    bool
+    holds(const Point<dim> &x, const unsigned int layer) const;
+
+    unsigned int
+    n_layers() const
+    {
+      return outlines.size();
+    }
+
+  private:
+    struct Outline
+    {
+      Polygon corners;    // m
+      double  begin, end; // along z, m; in 2D of no account
+    };
+
+    bool
+    reaches(const Outline &outline, const Point<dim> &x) const;
+
+    std::vector<Outline> outlines;
+    double               tolerance; // m: round-off
+  };
+} // namespace Waker
+
+#endif

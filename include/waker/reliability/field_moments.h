@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_reliability_field_moments_h
+#define waker_reliability_field_moments_h
+
+#include <waker/fields/parameters.h>
+#include <waker/simulation/case.h>
+#include <waker/simulation/initial_properties.h>
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Waker
+{
+  extern const char *const residual_strength; // a property's name
+
+  /// Mean and standard deviation (kPa) of a random field, anywhere in the soil.
+  template <int dim>
+  class FieldMoments
+  {
+  public:
+    /// The first two are kept by reference.
+    /// @throws UserError "Random fields/<name>/...": an unknown property, no
+    /// expression
+    FieldMoments(const Case<dim>             &the_case,
+                 const RandomFieldParameters &field,
+                 const unsigned int           material);
+
+    /// At x, in the layer of this number. Not checked.
+    std::pair<double, double>
+    at(const Point<dim> &x, const unsigned int layer) const;
+
+    /// Can the property have this mean?
+    bool
+    is_possible(const double mean) const;
+
+    /// The layer that x belongs to: one that holds it, of those that these
+    /// points lie in, or any of them.
+    unsigned int
+    layer_at(const Point<dim> &x, const std::vector<std::size_t> &points) const;
+
+  private:
+    const Case<dim>                    *the_case;
+    const RandomFieldParameters        *field;
+    InitialProperties<dim>              own; // of the material
+    unsigned int                        material;
+    unsigned int                        variable;
+    std::optional<PlaceExpression<dim>> mean;      // none: the material's
+    std::optional<PlaceExpression<dim>> deviation; // none: from the mean
+  };
+} // namespace Waker
+
+#endif

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/simulation/attempts.h>
+
+#include <cmath>
+
+namespace Waker
+{
+  template <int dim>
+  Attempts<dim>::Attempts(const Parameters  &parameters,
+                          const unsigned int n,
+                          const MPI_Comm     communicator)
+    : parameters(parameters)
+    , n(n)
+    , communicator(communicator)
+  {
+    add();
+  }
+
+
+  template <int dim>
+  void
+  Attempts<dim>::add()
+  {
+    Parameters smaller = parameters;
+    smaller.time.time_step =
+      std::ldexp(parameters.time.time_step, -static_cast<int>(cases.size()));
+    cases.push_back(std::make_unique<const Case<dim>>(smaller, communicator));
+  }
+
+
+  template <int dim>
+  const Case<dim> &
+  Attempts<dim>::operator[](const unsigned int attempt)
+  {
+    AssertIndexRange(attempt, n);
+    while (cases.size() <= attempt)
+      add();
+    return *cases[attempt];
+  }
+
+
+  template class Attempts<2>;
+  template class Attempts<3>;
+} // namespace Waker

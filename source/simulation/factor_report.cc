@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/version.h>
+#include <waker/simulation/factor_report.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace Waker
+{
+  namespace
+  {
+    nlohmann::ordered_json
+    or_null(const std::optional<double> &value)
+    {
+      return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
+    }
+
+
+    nlohmann::ordered_json
+    or_null(const std::string &value)
+    {
+      return value.empty() ? nlohmann::ordered_json()
+                           : nlohmann::ordered_json(value);
+    }
+  } // namespace
+
+
+  std::string
+  describe_trial(const double factor, const Trial &trial)
+  {
+    char text[200];
+    std::snprintf(text,
+                  sizeof text,
+                  "factor %.4f: %-9s at t = %.2f s (%s)",
+                  factor,
+                  to_string(trial.result).c_str(),
+                  trial.time,
+                  trial.outcome.c_str());
+    return text + (trial.reading.empty() ? "" : ", by " + trial.reading) +
+           (trial.slope.empty() ? "" : ", " + trial.slope + " slope");
+  }
+
+
+  std::string
+  search_json(const FactorSearch &search,
+              const TrialTable   &table,
+              const std::string  &strengths,
+              const std::string  &hash)
+  {
+    nlohmann::ordered_json json;
+    json["schema_version"]        = 2;
+    json["strengths"]             = strengths;
+    json["factor_of_safety"]      = or_null(search.factor());
+    json["highest_stable_factor"] = or_null(search.highest_stable());
+    json["lowest_failed_factor"]  = or_null(search.lowest_failed());
+    json["undecided_factors"]     = search.undecided();
+    json["failure"]               = nlohmann::ordered_json();
+    if (search.lowest_failed())
+      {
+        const Trial &trial = *table.find(*search.lowest_failed());
+        json["failure"]    = {{"reading", or_null(trial.reading)},
+                              {"slope", or_null(trial.slope)},
+                              {"time_s", trial.time}};
+      }
+    unsigned int n_numerical = 0;
+    for (const auto &[factor, trial] : table.all())
+      n_numerical += trial.outcome == "numerical failure";
+    json["trials"]             = table.all().size();
+    json["numerical_failures"] = n_numerical;
+    json["parameters_hash"]    = hash;
+    json["version"]            = WAKER_VERSION;
+    return json.dump(2) + "\n";
+  }
+
+
+  std::string
+  search_conclusion(const FactorSearch &search, const std::size_t n_trials)
+  {
+    std::ostringstream text;
+    if (search.factor())
+      text << "Factor of safety: " << *search.factor() << " (stable at "
+           << *search.highest_stable() << ", fails at "
+           << *search.lowest_failed() << ", " << n_trials << " trials)";
+    else if (search.highest_stable() && search.lowest_failed())
+      text << "No factor of safety: stable at " << *search.highest_stable()
+           << ", fails at " << *search.lowest_failed() << ", and of "
+           << search.undecided().size()
+           << " factors between them it is not known.";
+    else if (!search.undecided().empty())
+      text << "No factor of safety: of " << search.undecided().front()
+           << ", an end of the bracket, it is not known whether it is "
+              "stable.";
+    else if (search.lowest_failed())
+      text << "Fails at the lower factor " << *search.lowest_failed()
+           << " already: lower \"Strength reduction/Lower factor\".";
+    else
+      text << "Stable at the upper factor " << *search.highest_stable()
+           << " still: raise \"Strength reduction/Upper factor\".";
+    return text.str();
+  }
+} // namespace Waker

@@ -1,0 +1,155 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A strength reduction is of all that a run can have: a trend is the same in the
+material and in a field's mean, a realisation fails at the factor 1 if and only if
+it fails in the campaign, and a search that was killed goes on where it was.
+
+usage: strength_reduction.py WAKER SOURCE_DIRECTORY
+"""
+import json
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+from campaign_case import COARSE, Campaign, Checks, finish
+
+# The middle of this bracket is 1: what a realisation of the campaign has.
+BRACKET = {"Strength reduction/Lower factor": 0.5,
+           "Strength reduction/Upper factor": 1.5,
+           "Strength reduction/Tolerance": 0.13}
+
+
+class Reduction:
+    """waker strength-reduction of a campaign's file, in a folder."""
+
+    def __init__(self, waker, source, folder):
+        self.folder = folder
+        self.words = [os.path.abspath(waker), "strength-reduction",
+                      os.path.join(os.path.abspath(source), "parameters",
+                                   "chapter5", "analysis1.prm")]
+        self.environment = dict(os.environ, OMP_NUM_THREADS="1")
+
+    def start(self, *flags, **sets):
+        words = [*self.words, *flags]
+        for name, value in {**COARSE, **BRACKET,
+                            "Output/Directory": self.folder,
+                            **sets.pop("set", {})}.items():
+            words += ["--set", f"{name}={value}"]
+        return subprocess.Popen(words, text=True, env=self.environment,
+                                stdout=subprocess.DEVNULL,
+                                stderr=subprocess.PIPE)
+
+    def run(self, *flags, **sets):
+        finish(self.start(*flags, **sets))
+        return self.result()
+
+    def result(self):
+        with open(os.path.join(self.folder, "strength_reduction.json"),
+                  encoding="utf-8") as file:
+            return json.load(file)
+
+    def trials(self):
+        try:
+            with open(os.path.join(self.folder, "strength_reduction.csv"),
+                      encoding="utf-8") as file:
+                return file.read().split("\n")[2:-1]
+        except FileNotFoundError:
+            return []
+
+
+def main():
+    waker, source = sys.argv[1:3]
+    check = Checks()
+    with tempfile.TemporaryDirectory(prefix="waker-") as folder:
+
+        def reduction(name):
+            return Reduction(waker, source, os.path.join(folder, name))
+
+        # A trend, said in three ways. Nothing is random with the means.
+        trend = "5 + 2*depth"
+        in_material = {"Materials/clay/Initial strength": trend,
+                       "Materials/clay/Residual strength":
+                       "initial_strength/2.5"}
+        none = {"Random fields/Names": ""}
+        own = reduction("own").run(set={**in_material, **none})
+        mean = reduction("mean").run(
+            set={"Random fields/strength/Mean": trend})
+        both = reduction("both").run(set=in_material)
+        check(own["factor_of_safety"] is not None, "a factor of safety",
+              own["factor_of_safety"])
+        for name, other in (("mean", mean), ("both", both)):
+            check(all(own[key] == other[key] for key in
+                      ("factor_of_safety", "failure", "trials")),
+                  f"the trend in {name}: the same factor",
+                  other["factor_of_safety"])
+        check(own["strengths"] == "those of the materials"
+              and mean["strengths"] == "means of the random fields",
+              "says what it reduced", mean["strengths"])
+        uniform = reduction("uniform").run()
+        check(uniform["factor_of_safety"] != own["factor_of_safety"],
+              "the trend counts", uniform["factor_of_safety"])
+
+        # A random dyke's factor and its realisation in the campaign.
+        n = 6
+        campaign = Campaign(waker, source, os.path.join(folder, "campaign"), n)
+        campaign.run()
+        fails = {record["realisation"]:
+                 record["outcome"] in ("initial failure", "flooding")
+                 for record in campaign.records()}
+        check(len(set(fails.values())) == 2, "some realisations fail",
+              sum(fails.values()))
+        for i, failed in sorted(fails.items()):
+            found = reduction(f"realisation-{i}").run("--realisation", str(i))
+            factor = found["factor_of_safety"]
+            check(factor is not None and (factor < 1) == failed,
+                  f"realisation {i}: fails {failed}", f"factor {factor}")
+            check(found["strengths"] == f"realisation {i} of seed 1",
+                  f"realisation {i}: says so", found["strengths"])
+
+        # The trials of another realisation are not taken for its own.
+        other = reduction("realisation-0")
+        check.refused("resume with another realisation",
+                      other.start("--resume", "--realisation", "1"),
+                      "belongs to another case")
+        check.refused("a realisation of nothing random",
+                      reduction("x").start("--realisation", "1", set=none),
+                      "nothing is random")
+
+        # Killed after the second trial, then resumed.
+        killed = reduction("killed")
+        process = killed.start(set={**in_material, **none})
+        while len(killed.trials()) < 2 and process.poll() is None:
+            time.sleep(0.005)
+        process.send_signal(signal.SIGKILL)
+        process.communicate()
+        before = killed.trials()
+        check(2 <= len(before) < own["trials"], "killed in between",
+              len(before))
+        again = killed.run("--resume", set={**in_material, **none})
+        check(again == own, "resumed: the same result",
+              again["factor_of_safety"])
+        check(killed.trials()[:len(before)] == sorted(
+            before, key=lambda line: float(line.split(",")[0])),
+              "trials made before the kill are kept", len(before))
+
+        # Nothing converges: recorded, and not a factor.
+        trouble = reduction("trouble")
+        finish(trouble.start(set={**none, "Newton/Tolerance": 1e-15,
+                                  "Newton/Maximum iterations": 1,
+                                  "Time stepping/Maximum halvings": 1}),
+               code=3)
+        result = trouble.result()
+        check(result["factor_of_safety"] is None
+              and result["numerical_failures"] == 1
+              and result["undecided_factors"] == [0.5],
+              "numerical failure: counted, no factor", result)
+        check(trouble.trials()[0].endswith(",3"), "with all attempts",
+              trouble.trials())
+    check.exit()
+
+
+if __name__ == "__main__":
+    main()
