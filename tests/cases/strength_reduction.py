@@ -23,13 +23,15 @@ BRACKET = {"Strength reduction/Lower factor": 0.5,
 
 
 class Reduction:
-    """waker strength-reduction of a campaign's file, in a folder."""
+    """waker strength-reduction of a file, in a folder: of a campaign, or of
+    the same dyke without random fields."""
 
-    def __init__(self, waker, source, folder):
+    def __init__(self, waker, source, folder, random):
         self.folder = folder
         self.words = [os.path.abspath(waker), "strength-reduction",
                       os.path.join(os.path.abspath(source), "parameters",
-                                   "chapter5", "analysis1.prm")]
+                                   "chapter5",
+                                   "analysis1.prm" if random else "dyke.prm")]
         self.environment = dict(os.environ, OMP_NUM_THREADS="1")
 
     def start(self, *flags, **sets):
@@ -65,16 +67,15 @@ def main():
     check = Checks()
     with tempfile.TemporaryDirectory(prefix="waker-") as folder:
 
-        def reduction(name):
-            return Reduction(waker, source, os.path.join(folder, name))
+        def reduction(name, random=True):
+            return Reduction(waker, source, os.path.join(folder, name), random)
 
         # A trend, said in three ways. Nothing is random with the means.
-        trend = "5 + 2*depth"
+        trend = "8 + 2*depth"
         in_material = {"Materials/clay/Initial strength": trend,
                        "Materials/clay/Residual strength":
                        "initial_strength/2.5"}
-        none = {"Random fields/Names": ""}
-        own = reduction("own").run(set={**in_material, **none})
+        own = reduction("own", False).run(set=in_material)
         mean = reduction("mean").run(
             set={"Random fields/strength/Mean": trend})
         both = reduction("both").run(set=in_material)
@@ -115,12 +116,12 @@ def main():
                       other.start("--resume", "--realisation", "1"),
                       "belongs to another case")
         check.refused("a realisation of nothing random",
-                      reduction("x").start("--realisation", "1", set=none),
+                      reduction("x", False).start("--realisation", "1"),
                       "nothing is random")
 
         # Killed after the second trial, then resumed.
-        killed = reduction("killed")
-        process = killed.start(set={**in_material, **none})
+        killed = reduction("killed", False)
+        process = killed.start(set=in_material)
         while len(killed.trials()) < 2 and process.poll() is None:
             time.sleep(0.005)
         process.send_signal(signal.SIGKILL)
@@ -128,7 +129,7 @@ def main():
         before = killed.trials()
         check(2 <= len(before) < own["trials"], "killed in between",
               len(before))
-        again = killed.run("--resume", set={**in_material, **none})
+        again = killed.run("--resume", set=in_material)
         check(again == own, "resumed: the same result",
               again["factor_of_safety"])
         check(killed.trials()[:len(before)] == sorted(
@@ -136,8 +137,8 @@ def main():
               "trials made before the kill are kept", len(before))
 
         # Nothing converges: recorded, and not a factor.
-        trouble = reduction("trouble")
-        finish(trouble.start(set={**none, "Newton/Tolerance": 1e-15,
+        trouble = reduction("trouble", False)
+        finish(trouble.start(set={"Newton/Tolerance": 1e-15,
                                   "Newton/Maximum iterations": 1,
                                   "Time stepping/Maximum halvings": 1}),
                code=3)
