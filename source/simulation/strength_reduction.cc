@@ -10,6 +10,7 @@
 #include <waker/simulation/factor_report.h>
 #include <waker/simulation/realisation.h>
 #include <waker/simulation/run.h>
+#include <waker/simulation/strengths.h>
 #include <waker/simulation/trial_table.h>
 
 #include <cstdio>
@@ -19,67 +20,9 @@ namespace Waker
 {
   namespace
   {
-    using Role = MaterialVariable::Role;
-
     /// Thrown by nothing but an interrupt: leaves the search, keeps the table.
     struct Interrupted
     {};
-
-
-    std::vector<std::string>
-    strengths_of(const Material &material)
-    {
-      std::vector<std::string> names;
-      for (const MaterialVariable &variable : material.variables())
-        if (variable.role == Role::strength)
-          names.push_back(variable.name);
-      return names;
-    }
-
-
-    /// Divide all that the materials call a strength.
-    template <int dim>
-    void
-    divide_strengths(const Materials     &materials,
-                     const double         factor,
-                     MaterialPoints<dim> &points)
-    {
-      for (unsigned int m = 0; m < materials.size(); ++m)
-        for (const std::string &name : strengths_of(*materials[m]))
-          {
-            std::vector<double> &values = points.scalar(name);
-            for (std::size_t p = 0; p < points.n_points(); ++p)
-              if (points.material[p] == m)
-                values[p] /= factor;
-          }
-    }
-
-
-    /// Which materials are reduced, and which stay.
-    /// @throws UserError if none is reduced
-    std::vector<std::string>
-    describe_strengths(const Materials                       &materials,
-                       const std::vector<MaterialParameters> &parameters)
-    {
-      std::vector<std::string> lines;
-      bool                     any = false;
-      for (unsigned int m = 0; m < materials.size(); ++m)
-        {
-          std::string names;
-          for (const std::string &name : strengths_of(*materials[m]))
-            names += (names.empty() ? "" : ", ") + name;
-          any = any || !names.empty();
-          lines.push_back("  reduced   " + parameters[m].name + ": " +
-                          (names.empty()
-                             ? "nothing, it has no strength and stays as it is"
-                             : names));
-        }
-      if (!any)
-        throw UserError("Materials/Names",
-                        "no material has a strength to reduce",
-                        "a \"von Mises softening\" material");
-      return lines;
-    }
 
 
     /// By the reading that the search stops at. What has not failed is stable
@@ -251,7 +194,7 @@ namespace Waker
     Attempts<dim>    cases(parameters, strengths.attempts, communicator);
     const Case<dim> &the_case = cases.first();
     const std::vector<std::string> reduced =
-      describe_strengths(the_case.materials, parameters.materials);
+      described_strengths(the_case.materials, parameters.materials);
     State<dim>               first = initial_state(the_case);
     std::vector<std::string> setup_lines;
     if (strengths.setup)

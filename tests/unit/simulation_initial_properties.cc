@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
-#include <waker/materials/von_mises_softening.h>
+#include <waker/materials/linear_elastic.h>
 #include <waker/reliability/realisation_setup.h>
+#include <waker/simulation/strengths.h>
 
 #include "reliability_random_dyke.h"
 #include <algorithm>
@@ -87,7 +88,7 @@ namespace
     // The dyke cut at y = 2.5 m (its middle); the clay below is another one.
     const std::vector<std::string> layers = {
       "Soil profile/Layers=dyke, lower",
-            "Soil profile/dyke/Polygon=2.5,2.5; 22.5,2.5; 15,5; 5,5",
+      "Soil profile/dyke/Polygon=2.5,2.5; 22.5,2.5; 15,5; 5,5",
       "Soil profile/lower/Material=old",
       "Soil profile/lower/Polygon=0,0; 30,0; 22.5,2.5; 2.5,2.5",
       "Materials/Names=clay, old",
@@ -191,13 +192,44 @@ namespace
   }
 
 
-  TEST(InitialProperties, roles_tell_what_a_strength_reduction_divides)
+  TEST(Strengths, all_strengths_of_all_materials_are_divided_and_nothing_else)
   {
-    const VonMisesSoftening clay(1.5, 1000., 0.45, 13., 5., -50.);
-    std::string             strengths;
-    for (const MaterialVariable &variable : clay.variables())
-      if (variable.role == MaterialVariable::Role::strength)
-        strengths += variable.name + "; ";
-    EXPECT_EQ(strengths, "undrained shear strength; residual strength; ");
+    Dyke                    dyke({"Soil profile/Layers=dyke, lower",
+                                  "Soil profile/dyke/Polygon=2.5,2.5; 22.5,2.5; 15,5; 5,5",
+                                  "Soil profile/lower/Material=rock",
+                                  "Soil profile/lower/Polygon=0,0; 30,0; 22.5,2.5; 2.5,2.5",
+                                  "Materials/Names=clay, rock",
+                                  "Materials/rock/Model=linear elastic",
+                                  "Random fields/strength/Material=clay",
+                                  initial + "6 + depth",
+                                  residual + "initial_strength/2"});
+    const MaterialPoints<2> before = dyke.state.points;
+    divide_strengths(dyke.the_case->materials, 1.6, dyke.state.points);
+    std::size_t n_reduced = 0;
+    for (std::size_t q = 0; q < before.n_points(); ++q)
+      for (std::size_t s = 0; s < before.scalars.size(); ++s)
+        {
+          const bool is_strength =
+            before.material[q] == 0 &&
+            before.scalars[s].name.find("strength") != std::string::npos;
+          const double was = before.scalars[s].values[q];
+          ASSERT_EQ(dyke.state.points.scalars[s].values[q],
+                    is_strength ? was / 1.6 : was)
+            << before.scalars[s].name;
+          n_reduced += is_strength && was > 0.;
+        }
+    EXPECT_GT(n_reduced, 1000u);
+
+    const auto lines = described_strengths(dyke.the_case->materials,
+                                           dyke.the_case->parameters.materials);
+    ASSERT_EQ(lines.size(), 2u);
+    EXPECT_NE(lines[0].find("undrained shear strength, residual strength"),
+              std::string::npos);
+    EXPECT_NE(lines[1].find("rock: nothing"), std::string::npos);
+    Materials rock;
+    rock.push_back(std::make_unique<LinearElastic>(2., 1e4, 0.3));
+    EXPECT_THROW(described_strengths(rock,
+                                     {dyke.the_case->parameters.materials[1]}),
+                 UserError);
   }
 } // namespace

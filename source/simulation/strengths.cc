@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/errors.h>
+#include <waker/simulation/strengths.h>
+
+namespace Waker
+{
+  namespace
+  {
+    using Role = MaterialVariable::Role;
+
+
+    std::vector<std::string>
+    strengths_of(const Material &material)
+    {
+      std::vector<std::string> names;
+      for (const MaterialVariable &variable : material.variables())
+        if (variable.role == Role::strength)
+          names.push_back(variable.name);
+      return names;
+    }
+  } // namespace
+
+
+  template <int dim>
+  void
+  divide_strengths(const Materials     &materials,
+                   const double         factor,
+                   MaterialPoints<dim> &points)
+  {
+    for (unsigned int m = 0; m < materials.size(); ++m)
+      for (const std::string &name : strengths_of(*materials[m]))
+        {
+          std::vector<double> &values = points.scalar(name);
+          for (std::size_t p = 0; p < points.n_points(); ++p)
+            if (points.material[p] == m)
+              values[p] /= factor;
+        }
+  }
+
+
+  std::vector<std::string>
+  described_strengths(const Materials                       &materials,
+                      const std::vector<MaterialParameters> &parameters)
+  {
+    std::vector<std::string> lines;
+    bool                     any = false;
+    for (unsigned int m = 0; m < materials.size(); ++m)
+      {
+        std::string names;
+        for (const std::string &name : strengths_of(*materials[m]))
+          names += (names.empty() ? "" : ", ") + name;
+        any = any || !names.empty();
+        lines.push_back("  reduced   " + parameters[m].name + ": " +
+                        (names.empty()
+                           ? "nothing, it has no strength and stays as it is"
+                           : names));
+      }
+    if (!any)
+      throw UserError("Materials/Names",
+                      "no material has a strength to reduce",
+                      "a \"von Mises softening\" material");
+    return lines;
+  }
+
+
+  template void
+  divide_strengths(const Materials &, const double, MaterialPoints<2> &);
+  template void
+  divide_strengths(const Materials &, const double, MaterialPoints<3> &);
+} // namespace Waker
