@@ -303,8 +303,9 @@ def killed_reduction(folders, check, rng):
     table = os.path.join(folder, "strength_reduction.csv")
     with open(table, encoding="utf-8") as file:
         lines = file.read().split("\n")
-    lines[2] = lines[2].replace(",0,", ",1,") if ",0," in lines[2] else (
-        lines[2].replace(",1,", ",0,"))
+    lines[2] = (lines[2].replace(",stable,", ",failed,")
+                if ",stable," in lines[2]
+                else lines[2].replace(",failed,", ",stable,"))
     with open(table, "w", encoding="utf-8") as file:
         file.write("\n".join(lines))
     folders.run("factor", folder, "--resume")
