@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <iostream>
 #include <optional>
 
@@ -45,9 +46,13 @@ namespace Waker
         scenario.hash  = input.campaign_hash;
         if (input.simulation.water.side != "none")
           scenario.water_level = input.simulation.water.level;
+        // fmax, fmin: NaN is no number to compare with.
         for (const LayerParameters &layer : input.simulation.layers)
           for (const auto &corner : layer.corners())
-            scenario.crest_level = std::max(scenario.crest_level, corner[1]);
+            {
+              scenario.crest_level = std::fmax(scenario.crest_level, corner[1]);
+              scenario.base_level  = std::fmin(scenario.base_level, corner[1]);
+            }
         if (!input.reliability.fields.fields.empty())
           scenario.scales = input.reliability.fields.fields[0].scales;
         info.scenarios.push_back(scenario);

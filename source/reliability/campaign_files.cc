@@ -37,6 +37,9 @@ namespace Waker
       "fragility.csv",
       "fragility_curve.csv",
       "fragility_beta.csv",
+      "fragility_export.csv",
+      "fragility_export_upper.csv",
+      "risk.csv",
       "report.json"};
 
     const std::string report    = "report";

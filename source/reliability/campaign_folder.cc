@@ -7,6 +7,7 @@
 #include <waker/output/output_folder.h>
 #include <waker/reliability/campaign_files.h>
 #include <waker/reliability/campaign_folder.h>
+#include <waker/reliability/report.h>
 
 #include <chrono>
 #include <filesystem>

@@ -69,6 +69,7 @@ namespace Waker
           entry["value"]       = scenario.value;
           entry["water_level"] = json_of(scenario.water_level);
           entry["crest_level"] = json_of(scenario.crest_level);
+          entry["base_level"]  = json_of(scenario.base_level);
           entry["scales"]      = Json::array();
           for (const double scale : scenario.scales)
             entry["scales"].push_back(json_of(scale));
@@ -101,6 +102,9 @@ namespace Waker
           scenario.value       = entry.at("value").get<std::string>();
           scenario.water_level = double_of(entry.at("water_level"));
           scenario.crest_level = double_of(entry.at("crest_level"));
+          // Earlier versions took it for granted.
+          const auto base     = entry.find("base_level");
+          scenario.base_level = base == entry.end() ? 0. : double_of(*base);
           for (const Json &scale : entry.at("scales"))
             scenario.scales.push_back(double_of(scale));
           scenario.hash = entry.at("hash").get<std::string>();

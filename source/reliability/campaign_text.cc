@@ -60,12 +60,15 @@ namespace Waker
       {
         const Proportion p = proportion(sum.n_flooding, sum.n_decided());
         char             numbers[80];
-        std::snprintf(numbers,
-                      sizeof numbers,
-                      ", P(F) = %.3g [%.3g, %.3g]",
-                      p.estimate,
-                      p.low,
-                      p.high);
+        if (p.count == 0)
+          std::snprintf(numbers, sizeof numbers, ", P(F) <= %.3g", p.high);
+        else
+          std::snprintf(numbers,
+                        sizeof numbers,
+                        ", P(F) = %.3g [%.3g, %.3g]",
+                        p.estimate,
+                        p.low,
+                        p.high);
         text += numbers;
       }
     return text;

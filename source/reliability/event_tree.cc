@@ -5,6 +5,7 @@
 #include <waker/reliability/event_tree.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace Waker
 {
@@ -64,11 +65,12 @@ namespace Waker
         }
 
     std::uint64_t n_reached = sequences.size(), n_flooded = 0;
+    std::uint64_t n_truncated = 0;
     double        standing = 1., cumulative = 0.; // (4.22)
     tree.length         = length;
     tree.truncated      = 0.;
     tree.critical_slide = 0;
-    tree.critical_path  = 0.;
+    tree.critical_path  = std::numeric_limits<double>::quiet_NaN();
     double slides_only  = 1.; // product of P(S_k | notF_{k-1})
     for (unsigned int j = 1; j <= n_levels; ++j)
       {
@@ -82,6 +84,9 @@ namespace Waker
           tree.truncated += level.path;
         else if (j == length)
           tree.truncated += level.slide * standing;
+        n_truncated += j < length    ? level.n_flooding
+                       : j == length ? level.n_slides
+                                     : 0;
 
         slides_only *= level.slide;
         if (tree.critical_slide == 0 && level.flooding > 0.5)
@@ -98,8 +103,9 @@ namespace Waker
         level.interval = clopper_pearson(n_flooded, sequences.size());
         n_reached      = level.n_slides - level.n_flooding;
       }
-    tree.probability = cumulative;
-    tree.direct      = proportion(n_floods, sequences.size());
+    tree.probability      = cumulative;
+    tree.direct           = proportion(n_floods, sequences.size());
+    tree.truncated_direct = proportion(n_truncated, sequences.size());
     return tree;
   }
 } // namespace Waker

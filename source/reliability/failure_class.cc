@@ -48,12 +48,15 @@ namespace Waker
 
 
     bool
-    is_translated(const Record &record, const std::vector<Slide> &slides)
+    is_translated(const Record             &record,
+                  const std::vector<Slide> &slides,
+                  const double              base_level)
     {
       const MovedSoil &soil = record.inward;
       return soil.area > 0. &&
              soil.area >= FailureClassLimits::moved_area *
-                            record.initial_width * record.initial_height &&
+                            record.initial_width *
+                            (record.initial_height - base_level) &&
              std::abs(soil.dy) <=
                FailureClassLimits::fall * std::abs(soil.dx) &&
              keeps_width(record, slides);
@@ -82,7 +85,9 @@ namespace Waker
 
 
   FailureClass
-  classify(const Record &record, const std::vector<Slide> &slides)
+  classify(const Record             &record,
+           const std::vector<Slide> &slides,
+           const double              base_level)
   {
     if (!record.failed())
       return FailureClass::none;
@@ -92,7 +97,7 @@ namespace Waker
                                        : FailureClass::initial_only;
     if (goes_outwards(record))
       return FailureClass::outer;
-    if (is_translated(record, slides))
+    if (is_translated(record, slides, base_level))
       return FailureClass::horizontal;
     return slides.size() > 1 ? FailureClass::retrogressive
                              : FailureClass::initial_only;

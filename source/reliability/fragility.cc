@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
+#include <limits>
 
 namespace Waker
 {
@@ -114,7 +115,8 @@ namespace Waker
       {
         const ScenarioInfo    &scenario = info.scenarios[s];
         const ScenarioEstimate e        = estimate(records_by_scenario[s]);
-        if (e.n > 0)
+        // without water there is no level
+        if (e.n > 0 && std::isfinite(scenario.water_level))
           points.push_back({scenario.water_level,
                             scenario.crest_level - scenario.water_level,
                             e.by_any.initial,
@@ -205,6 +207,20 @@ namespace Waker
     return 6. * t * (1. - t) * (values[i + 1] - values[i]) / h +
            slopes[i] * (1. - t) * (1. - 3. * t) +
            slopes[i + 1] * t * (3. * t - 2.);
+  }
+
+
+  BoundedIndex
+  reliability_index(const BoundedProbability &probability)
+  {
+    const auto finite = [](const double p) {
+      const double beta = reliability_index(p);
+      return std::isfinite(beta) ? beta
+                                 : std::numeric_limits<double>::quiet_NaN();
+    };
+    return {finite(probability.estimate),
+            finite(probability.high),
+            finite(probability.low)};
   }
 
 

@@ -4,20 +4,62 @@
 
 namespace Waker
 {
+  namespace
+  {
+    std::string
+    titles_with_index(const std::string &event)
+    {
+      return titles_of("P_" + event) + ",beta_" + event + ",beta_" + event +
+             "_low,beta_" + event + "_high";
+    }
+
+
+    void
+    add_with_index(CsvTable &table, const BoundedProbability &p)
+    {
+      const BoundedIndex beta = reliability_index(p);
+      table.cells(p).cell(beta.estimate).cell(beta.low).cell(beta.high);
+    }
+
+
+    BoundedProbability
+    bounded(const Proportion &p)
+    {
+      return {p.estimate, p.low, p.high};
+    }
+
+
+    /// What beta is where the probability is so.
+    EstimateKind
+    kind_of_index(const double probability)
+    {
+      const EstimateKind kind = kind_of(probability);
+      return kind == EstimateKind::upper_bound   ? EstimateKind::lower_bound
+             : kind == EstimateKind::lower_bound ? EstimateKind::upper_bound
+                                                 : kind;
+    }
+  } // namespace
+
+
   namespace ReportTables
   {
     std::string
     fragility(const std::vector<FragilityPoint> &points)
     {
-      CsvTable table("water_level,freeboard,n" + titles_of("P_S1") +
-                     ",beta_S1" + titles_of("P_F") + ",beta_F");
+      CsvTable table("water_level,freeboard,n,n_S1" + titles_with_index("S1") +
+                     ",n_F" + titles_with_index("F") +
+                     titles_with_index("F_monotone"));
+      if (points.empty())
+        return table.finish();
+      const BoundedCurve monotone = flooding_curve(points);
       for (const FragilityPoint &point : points)
         {
           table.row().cell(point.water_level).cell(point.freeboard);
-          table.cell(point.flooding.n).cells(point.initial);
-          table.cell(reliability_index(point.initial.estimate));
-          table.cells(point.flooding);
-          table.cell(reliability_index(point.flooding.estimate));
+          table.cell(point.flooding.n).cell(point.initial.count);
+          add_with_index(table, bounded(point.initial));
+          table.cell(point.flooding.count);
+          add_with_index(table, bounded(point.flooding));
+          add_with_index(table, monotone.at(point.water_level));
         }
       return table.finish();
     }
@@ -26,8 +68,8 @@ namespace Waker
     std::string
     fragility_curve(const std::vector<FragilityPoint> &points)
     {
-      CsvTable table("water_level" + titles_of("P_S1") + ",beta_S1" +
-                     titles_of("P_F") + ",beta_F");
+      CsvTable table("water_level" + titles_with_index("S1") +
+                     titles_with_index("F"));
       if (points.empty())
         return table.finish();
       const BoundedCurve initial  = initial_failure_curve(points);
@@ -42,11 +84,7 @@ namespace Waker
             n_intervals == 0 ? first : first + range * i / n_intervals;
           table.row().cell(level);
           for (const BoundedCurve *const curve : {&initial, &flooding})
-            {
-              const BoundedProbability p = curve->at(level);
-              table.cell(p.estimate).cell(p.low).cell(p.high);
-              table.cell(reliability_index(p.estimate));
-            }
+            add_with_index(table, curve->at(level));
         }
       return table.finish();
     }
@@ -55,19 +93,47 @@ namespace Waker
     std::string
     fragility_beta(const std::vector<FragilityPoint> &points)
     {
-      CsvTable table("water_level,beta");
+      CsvTable table("water_level,beta,beta_low,beta_high,kind");
+      if (points.empty())
+        return table.finish();
+      const BoundedCurve curve = flooding_curve(points);
+      for (const FragilityPoint &point : points)
+        {
+          const BoundedProbability p    = curve.at(point.water_level);
+          const BoundedIndex       beta = reliability_index(p);
+          table.row().cell(point.water_level).cell(beta.estimate);
+          table.cell(beta.low).cell(beta.high);
+          table.cell(to_string(kind_of_index(p.estimate)));
+        }
+      return table.finish();
+    }
+
+
+    std::string
+    fragility_export(const std::vector<FragilityPoint> &points)
+    {
+      CsvTable table("hydraulicload,failure_probability");
       if (points.empty())
         return table.finish();
       const BoundedCurve curve = flooding_curve(points);
       for (std::size_t i = 0; i < points.size(); ++i)
-        {
-          const double p      = curve.estimate.values[i];
-          const double finite = p <= 0.   ? curve.high.values[i]
-                                : p >= 1. ? curve.low.values[i]
-                                          : p;
-          table.row().cell(points[i].water_level);
-          table.cell(reliability_index(finite));
-        }
+        if (kind_of(curve.estimate.values[i]) == EstimateKind::estimate)
+          table.row()
+            .cell(points[i].water_level)
+            .cell(curve.estimate.values[i]);
+      return table.finish();
+    }
+
+
+    std::string
+    fragility_export_upper(const std::vector<FragilityPoint> &points)
+    {
+      CsvTable table("hydraulicload,failure_probability");
+      if (points.empty())
+        return table.finish();
+      const BoundedCurve curve = flooding_curve(points);
+      for (std::size_t i = 0; i < points.size(); ++i)
+        table.row().cell(points[i].water_level).cell(curve.high.values[i]);
       return table.finish();
     }
   } // namespace ReportTables

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace Waker
 {
@@ -38,9 +39,10 @@ namespace Waker
           last  = std::max(last, bin_of(v.value));
         }
 
-    std::vector<HistogramBin> bins;
+    const std::vector<std::uint64_t> none(all_outcomes().size(), 0);
+    std::vector<HistogramBin>        bins;
     for (std::int64_t i = first; i <= last; ++i)
-      bins.push_back({i * bin_width, (i + 1) * bin_width, {{0, 0, 0}}});
+      bins.push_back({i * bin_width, (i + 1) * bin_width, none});
     for (const OutcomeValue &v : values)
       if (!is_left_out(v))
         ++bins[bin_of(v.value) - first]
@@ -98,9 +100,9 @@ namespace Waker
       {
         const std::uint64_t n_flooding =
           bin.counts[static_cast<unsigned int>(Outcome::flooding)];
-        const std::uint64_t n =
-          bin.counts[static_cast<unsigned int>(Outcome::initial_failure)] +
-          n_flooding;
+        const std::uint64_t n = std::accumulate(bin.counts.begin(),
+                                                bin.counts.end(),
+                                                std::uint64_t(0));
         result.push_back({bin.low, bin.high, proportion(n_flooding, n)});
       }
     return result;
@@ -109,7 +111,8 @@ namespace Waker
 
   std::vector<ClassCount>
   count_classes(const std::vector<Record>             &records,
-                const std::vector<std::vector<Slide>> &slides)
+                const std::vector<std::vector<Slide>> &slides,
+                const double                           base_level)
   {
     AssertDimension(records.size(), slides.size());
     std::uint64_t n                               = 0;
@@ -118,7 +121,7 @@ namespace Waker
       if (counts(records[i]))
         {
           ++n;
-          const FailureClass c = classify(records[i], slides[i]);
+          const FailureClass c = classify(records[i], slides[i], base_level);
           ++counts_of[static_cast<unsigned int>(c)][floods(records[i])];
         }
 

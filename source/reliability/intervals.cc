@@ -17,6 +17,36 @@ namespace Waker
   } // namespace
 
 
+  std::string
+  to_string(const EstimateKind kind)
+  {
+    switch (kind)
+      {
+        case EstimateKind::estimate:
+          return "estimate";
+        case EstimateKind::upper_bound:
+          return "upper bound";
+        case EstimateKind::lower_bound:
+          return "lower bound";
+        case EstimateKind::unknown:
+          return "unknown";
+      }
+    Assert(false, dealii::ExcInternalError());
+    return "";
+  }
+
+
+  EstimateKind
+  kind_of(const double estimate)
+  {
+    if (std::isnan(estimate))
+      return EstimateKind::unknown;
+    return estimate <= 0.   ? EstimateKind::upper_bound
+           : estimate >= 1. ? EstimateKind::lower_bound
+                            : EstimateKind::estimate;
+  }
+
+
   Interval
   clopper_pearson(const std::uint64_t count,
                   const std::uint64_t n,

@@ -105,7 +105,10 @@ namespace Waker
              campaign_path(folder, CampaignFile::store) + " and " + report +
              "/");
     print_remarks(contents, log);
-    log.line(report_text(contents.info, records, parameters.analysis));
+    log.line(report_text(contents.info,
+                         records,
+                         parameters.analysis,
+                         read_level_distribution(parameters.analysis.risk)));
   }
 
 
@@ -131,8 +134,22 @@ namespace Waker
                     : ""));
       }
     print_remarks(contents, log);
-    log.line(report_text(contents.info,
-                         contents.by_scenario(),
-                         input.reliability.analysis));
+    const AnalysisParameters &analysis = input.reliability.analysis;
+    // A table that is missing here must not keep the rest from the reader.
+    std::optional<LevelDistribution> distribution;
+    std::string                      missing;
+    try
+      {
+        distribution = read_level_distribution(analysis.risk);
+      }
+    catch (const UserError &error)
+      {
+        missing = "Nothing per year: " + error.where + " " + error.problem +
+                  " (" + error.allowed + ")";
+      }
+    log.line(report_text(
+      contents.info, contents.by_scenario(), analysis, distribution));
+    if (!missing.empty())
+      log.line(missing);
   }
 } // namespace Waker

@@ -7,6 +7,7 @@
 #include <waker/reliability/report.h>
 #include <waker/reliability/report_tables.h>
 
+#include <cmath>
 #include <cstdio>
 
 namespace Waker
@@ -14,24 +15,80 @@ namespace Waker
   namespace
   {
     std::string
-    line(const char *const name, const Proportion &p)
+    number(const double value)
     {
-      char buffer[200];
-      if (p.n == 0)
+      char text[40];
+      std::snprintf(text, sizeof text, "%.4g", value);
+      return text;
+    }
+
+
+    /// "0.12 [0.1, 0.14]", or of a bound "at most 0.01".
+    std::string
+    probability_text(const BoundedProbability &p)
+    {
+      switch (kind_of(p.estimate))
         {
-          std::snprintf(buffer, sizeof buffer, "\n  %-8s -", name);
-          return buffer;
+          case EstimateKind::unknown:
+            return "-";
+          case EstimateKind::upper_bound:
+            return "at most " + number(p.high);
+          case EstimateKind::lower_bound:
+            return "at least " + number(p.low);
+          case EstimateKind::estimate:
+            break;
         }
-      std::snprintf(buffer,
-                    sizeof buffer,
-                    "\n  %-8s %-10.4g [%.4g, %.4g]  %llu of %llu",
-                    name,
-                    p.estimate,
-                    p.low,
-                    p.high,
+      return number(p.estimate) + " [" + number(p.low) + ", " + number(p.high) +
+             "]";
+    }
+
+
+    std::string
+    line(const std::string &name, const Proportion &p)
+    {
+      char text[200];
+      std::snprintf(text,
+                    sizeof text,
+                    "\n  %-8s %-30s %llu of %llu",
+                    name.c_str(),
+                    probability_text({p.estimate, p.low, p.high}).c_str(),
                     static_cast<unsigned long long>(p.count),
                     static_cast<unsigned long long>(p.n));
-      return buffer;
+      return p.n == 0 ? "\n  " + name + " -" : text;
+    }
+
+
+    std::string
+    risk_text(const Risk &risk)
+    {
+      std::string text;
+      const auto  add = [&](const char *const            of,
+                           const std::optional<Budget> &budget) {
+        if (budget)
+          text += std::string("\n    budget of ") + of + ", " +
+                  number(budget->budget) + ": " + to_string(budget->verdict);
+      };
+      add("all mechanisms", risk.all_mechanisms);
+      add("macro-instability", risk.macro_instability);
+      if (risk.risk)
+        text += "\n    risk " + number(risk.risk->estimate) + " euro [" +
+                number(risk.risk->low) + ", " + number(risk.risk->high) + "]";
+      return text;
+    }
+
+
+    std::string
+    yearly_text(const Yearly &yearly)
+    {
+      return "\nPer year, with the distribution of water levels:\n  P(S1)    " +
+             probability_text(yearly.initial) + "\n  P(F)     " +
+             probability_text(yearly.flooding) + risk_text(yearly.risk) +
+             "\n    the water is above the highest level of the sweep with " +
+             number(yearly.above_the_highest) +
+             (std::isfinite(yearly.share_from_above)
+                ? ", which makes up " + number(100. * yearly.share_from_above) +
+                    " % of P(F)"
+                : "");
     }
   } // namespace
 
@@ -70,6 +127,9 @@ namespace Waker
     const auto distribution = read_level_distribution(parameters.risk);
     const auto scenarios    = analyse(info, records_by_scenario, parameters);
     const auto points       = fragility_points(info, records_by_scenario);
+    std::vector<std::string>    notes       = fragility_notes(points);
+    const std::optional<Yearly> yearly_risk = yearly(
+      info.swept_parameter, points, distribution, parameters.risk, notes);
 
     const auto write = [&](const char *const name, const std::string &text) {
       write_file(report_path(directory, name), text);
@@ -88,16 +148,27 @@ namespace Waker
     write("fragility.csv", fragility(points));
     write("fragility_curve.csv", fragility_curve(points));
     write("fragility_beta.csv", fragility_beta(points));
-    write(
-      "report.json",
-      report_json(info, scenarios, points, parameters, distribution, machines));
+    write("fragility_export.csv", fragility_export(points));
+    write("fragility_export_upper.csv", fragility_export_upper(points));
+    write("risk.csv",
+          risk(scenarios, distribution, yearly_risk, parameters.risk));
+    write("report.json",
+          report_json(info,
+                      scenarios,
+                      points,
+                      parameters,
+                      distribution,
+                      yearly_risk,
+                      notes,
+                      machines));
   }
 
 
   std::string
   report_text(const CampaignInfo                     &info,
               const std::vector<std::vector<Record>> &records_by_scenario,
-              const AnalysisParameters               &parameters)
+              const AnalysisParameters               &parameters,
+              const std::optional<LevelDistribution> &distribution)
   {
     const auto  scenarios = analyse(info, records_by_scenario, parameters);
     std::string text = "Probabilities with 95 % intervals (Clopper-Pearson):";
@@ -127,8 +198,9 @@ namespace Waker
           }
         text += line("P(F)", e.by_any.flooding);
         text += line("P(F|S1)", e.by_any.flooding_given);
-        for (const ClassCount &c :
-             count_classes(*scenario.records, scenario.slides))
+        for (const ClassCount &c : count_classes(*scenario.records,
+                                                 scenario.slides,
+                                                 scenario.info->base_level))
           if (c.failure_class != FailureClass::none && c.share.count > 0)
             text += "\n    " + to_string(c.failure_class) +
                     (c.flooded ? ", flooded: " : ", not flooded: ") +
@@ -154,7 +226,19 @@ namespace Waker
             text += line("P(S1)", e.if_all_failed.initial);
             text += line("P(F)", e.if_all_failed.flooding);
           }
+        if (!distribution)
+          text +=
+            risk_text(assess_risk(flooding_of(scenario), parameters.risk));
       }
+
+    const auto points = fragility_points(info, records_by_scenario);
+    std::vector<std::string>    notes       = fragility_notes(points);
+    const std::optional<Yearly> yearly_risk = yearly(
+      info.swept_parameter, points, distribution, parameters.risk, notes);
+    if (yearly_risk)
+      text += yearly_text(*yearly_risk);
+    for (const std::string &note : notes)
+      text += "\n" + note;
     return text;
   }
 } // namespace Waker

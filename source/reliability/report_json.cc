@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/reliability/estimates.h>
 #include <waker/reliability/report_tables.h>
-#include <waker/reliability/risk.h>
 
 #include <nlohmann/json.hpp>
 
@@ -18,14 +17,27 @@ namespace Waker
               {"n", p.n},
               {"estimate", p.estimate},
               {"low", p.low},
-              {"high", p.high}};
+              {"high", p.high},
+              {"kind", to_string(kind_of(p.estimate))}};
     }
 
 
     Json
     to_json(const BoundedProbability &p)
     {
-      return {{"estimate", p.estimate}, {"low", p.low}, {"high", p.high}};
+      return {{"estimate", p.estimate},
+              {"low", p.low},
+              {"high", p.high},
+              {"kind", to_string(kind_of(p.estimate))}};
+    }
+
+
+    Json
+    to_json(const BoundedIndex &beta)
+    {
+      return {{"estimate", beta.estimate},
+              {"low", beta.low},
+              {"high", beta.high}};
     }
 
 
@@ -51,10 +63,13 @@ namespace Waker
     Json
     to_json(const EventTree &tree)
     {
-      return {{"probability", tree.probability},
+      // Of nothing the sums are 0, which is no estimate.
+      const bool known = tree.direct.n > 0;
+      return {{"probability", known ? Json(tree.probability) : Json(nullptr)},
               {"direct", to_json(tree.direct)},
               {"length", tree.length},
-              {"truncated", tree.truncated},
+              {"truncated", known ? Json(tree.truncated) : Json(nullptr)},
+              {"truncated_direct", to_json(tree.truncated_direct)},
               {"critical_slide", tree.critical_slide},
               {"critical_path", tree.critical_path}};
     }
@@ -68,6 +83,7 @@ namespace Waker
       json["value"]               = scenario.info->value;
       json["water_level"]         = scenario.info->water_level;
       json["crest_level"]         = scenario.info->crest_level;
+      json["base_level"]          = scenario.info->base_level;
       json["scales"]              = scenario.info->scales;
       json["n"]                   = e.n;
       json["n_numerical_failure"] = e.n_numerical;
@@ -89,63 +105,59 @@ namespace Waker
 
 
     Json
-    risk_json(const BoundedProbability &flooding,
-              const RiskParameters     &parameters)
+    risk_json(const BoundedProbability &flooding, const Risk &risk)
     {
-      const Risk risk = assess_risk(flooding, parameters);
-      Json       json;
+      Json json;
       json["P_F"]               = to_json(flooding);
       json["all_mechanisms"]    = to_json(risk.all_mechanisms);
       json["macro_instability"] = to_json(risk.macro_instability);
-      json["risk_euro"] = risk.risk ? to_json(*risk.risk) : Json(nullptr);
+      if (risk.risk)
+        json["risk_euro"] = {{"estimate", risk.risk->estimate},
+                             {"low", risk.risk->low},
+                             {"high", risk.risk->high}};
+      else
+        json["risk_euro"] = nullptr;
       return json;
     }
 
 
-    /// Yearly probabilities; null if they cannot be had.
+    /// Null if they cannot be had.
     Json
-    yearly_json(const std::string                      &swept_parameter,
-                const std::vector<FragilityPoint>      &points,
-                const std::optional<LevelDistribution> &distribution,
-                const RiskParameters                   &parameters,
-                std::vector<std::string>               &notes)
+    to_json(const std::optional<Yearly> &yearly)
     {
-      if (!distribution)
+      if (!yearly)
         return nullptr;
-      // One level says nothing about the others.
-      if (swept_parameter != "Water/Level" || points.size() < 2)
-        {
-          notes.push_back("No yearly probability, budget or risk: this takes "
-                          "a sweep of Water/Level with realisations at two "
-                          "levels or more.");
-          return nullptr;
-        }
-      const double lowest  = points.front().water_level;
-      const double highest = points.back().water_level;
-      const double above   = distribution->exceedance(highest);
-      const double crest   = highest + points.back().freeboard;
-
       Json json;
-      json["P_S1"] = to_json(
-        yearly_probability(initial_failure_curve(points), *distribution));
-      const BoundedProbability flooding =
-        yearly_probability(flooding_curve(points), *distribution);
-      json["P_F"]                       = to_json(flooding);
-      json["P_level_below_the_lowest"]  = 1. - distribution->exceedance(lowest);
-      json["P_level_above_the_highest"] = above;
-      json["P_level_above_the_crest"]   = distribution->exceedance(crest);
-      json["share_from_above_the_highest"] =
-        above * flooding_curve(points).estimate.values.back() /
-        flooding.estimate;
-      json["risk"] = risk_json(flooding, parameters);
-      notes.push_back(
-        "Below the lowest and above the highest swept water level "
-        "probabilities are taken as constant; overflow of an intact dyke is "
-        "not counted.");
-      const std::vector<double> &table = distribution->table_levels();
-      if (!table.empty() && (table.front() > lowest || table.back() < highest))
-        notes.push_back("The level table does not reach over all swept water "
-                        "levels and was extrapolated.");
+      json["P_S1"]                         = to_json(yearly->initial);
+      json["P_F"]                          = to_json(yearly->flooding);
+      json["P_level_below_the_lowest"]     = yearly->below_the_lowest;
+      json["P_level_above_the_highest"]    = yearly->above_the_highest;
+      json["P_level_above_the_crest"]      = yearly->above_the_crest;
+      json["share_from_above_the_highest"] = yearly->share_from_above;
+      json["risk"] = risk_json(yearly->flooding, yearly->risk);
+      return json;
+    }
+
+
+    Json
+    fragility_json(const std::vector<FragilityPoint> &points)
+    {
+      Json json = Json::array();
+      if (points.empty())
+        return json;
+      const BoundedCurve monotone = flooding_curve(points);
+      for (const FragilityPoint &point : points)
+        {
+          const BoundedProbability flooding = monotone.at(point.water_level);
+          Json                     entry;
+          entry["water_level"]     = point.water_level;
+          entry["freeboard"]       = point.freeboard;
+          entry["P_S1"]            = to_json(point.initial);
+          entry["P_F"]             = to_json(point.flooding);
+          entry["P_F_monotone"]    = to_json(flooding);
+          entry["beta_F_monotone"] = to_json(reliability_index(flooding));
+          json.push_back(entry);
+        }
       return json;
     }
 
@@ -170,10 +182,11 @@ namespace Waker
               const std::vector<FragilityPoint>      &points,
               const AnalysisParameters               &parameters,
               const std::optional<LevelDistribution> &distribution,
+              const std::optional<Yearly>            &yearly_risk,
+              const std::vector<std::string>         &notes,
               const std::vector<MachineUse>          &machines)
   {
-    std::vector<std::string> notes;
-    Json                     json;
+    Json json;
     json["schema_version"]   = 1;
     json["version"]          = info.version;
     json["hash"]             = info.hash;
@@ -188,14 +201,14 @@ namespace Waker
         Json entry = scenario_json(scenario);
         if (!distribution)
           {
-            const Proportion f = estimate(*scenario.records).by_any.flooding;
+            const BoundedProbability flooding = flooding_of(scenario);
             entry["risk_given_level"] =
-              risk_json({f.estimate, f.low, f.high}, parameters.risk);
+              risk_json(flooding, assess_risk(flooding, parameters.risk));
           }
         json["scenarios"].push_back(entry);
       }
-    json["yearly"] = yearly_json(
-      info.swept_parameter, points, distribution, parameters.risk, notes);
+    json["fragility"]        = fragility_json(points);
+    json["yearly"]           = to_json(yearly_risk);
     json["point_statistics"] = point_statistics_json(parameters.risk);
     json["notes"]            = notes;
     return json.dump(2) + '\n';

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/exceptions.h>
 
-#include <waker/reliability/columns.h>
 #include <waker/reliability/csv_table.h>
 #include <waker/reliability/estimates.h>
 #include <waker/reliability/histograms.h>
 #include <waker/reliability/report_tables.h>
 
 #include <algorithm>
-#include <numeric>
+#include <boost/algorithm/string/replace.hpp>
 
 
 namespace Waker
@@ -53,11 +52,20 @@ namespace Waker
         {
           scenario_row(table, scenarios, s).cell(quantity);
           table.cell(bin.low).cell(bin.high);
-          for (const std::uint64_t count : bin.counts)
-            table.cell(count);
+          for (const Outcome outcome : all_outcomes())
+            if (is_decided(outcome))
+              table.cell(bin.counts[static_cast<unsigned int>(outcome)]);
         }
     }
   } // namespace
+
+
+  BoundedProbability
+  flooding_of(const AnalysedScenario &scenario)
+  {
+    const Proportion f = estimate(*scenario.records).by_any.flooding;
+    return {f.estimate, f.low, f.high};
+  }
 
 
   std::vector<AnalysedScenario>
@@ -157,8 +165,12 @@ namespace Waker
     std::string
     histograms(const Scenarios &scenarios, const HistogramParameters &bins)
     {
-      CsvTable table("scenario,value,quantity,bin_low,bin_high,count_stable,"
-                     "count_initial_failure,count_flooding");
+      std::string titles = "scenario,value,quantity,bin_low,bin_high";
+      for (const Outcome outcome : all_outcomes())
+        if (is_decided(outcome))
+          titles +=
+            ",count_" + boost::replace_all_copy(to_string(outcome), " ", "_");
+      CsvTable table(titles);
       for (std::size_t s = 0; s < scenarios.size(); ++s)
         {
           const AnalysedScenario    &scenario = scenarios[s];
@@ -222,80 +234,14 @@ namespace Waker
     }
 
 
-    namespace
-    {
-      template <typename Columns>
-      void
-      add_titles(const Columns &columns, std::string &titles)
-      {
-        for (const auto &column : columns)
-          titles += "," + column.name;
-      }
-
-
-      template <typename Columns>
-      void
-      add_cells(const Columns        &columns,
-                const AnalysedRecord &record,
-                CsvTable             &table)
-      {
-        for (const auto &column : columns)
-          table.cell(column.value(record));
-      }
-    } // namespace
-
-
-    std::string
-    realisations(const Scenarios &scenarios)
-    {
-      std::string titles = "scenario,value,realisation,outcome,failure_class,"
-                           "still_moving,loads_change,at_box";
-      add_titles(count_columns, titles);
-      add_titles(real_columns, titles);
-      add_titles(work_columns, titles);
-      CsvTable table(titles);
-      for (std::size_t s = 0; s < scenarios.size(); ++s)
-        {
-          const std::vector<Record> &records = *scenarios[s].records;
-          std::vector<std::size_t>   order(records.size());
-          std::iota(order.begin(), order.end(), std::size_t(0));
-          std::sort(order.begin(),
-                    order.end(),
-                    [&](const std::size_t a, const std::size_t b) {
-                      return records[a].realisation < records[b].realisation;
-                    });
-          for (const std::size_t i : order)
-            {
-              const std::vector<Slide> &slides = scenarios[s].slides[i];
-              const AnalysedRecord      analysed{&records[i],
-                                            slides,
-                                            classify(records[i], slides)};
-              scenario_row(table, scenarios, s)
-                .cell(records[i].realisation)
-                .cell(to_string(records[i].outcome))
-                .cell(to_string(analysed.failure_class));
-              for (bool Unrest::*const which :
-                   {&Unrest::moving, &Unrest::loads_change, &Unrest::at_box})
-                table.cell(records[i].unrest
-                             ? std::to_string((*records[i].unrest).*which)
-                             : std::string());
-              add_cells(count_columns, analysed, table);
-              add_cells(real_columns, analysed, table);
-              add_cells(work_columns, analysed, table);
-            }
-        }
-      return table.finish();
-    }
-
-
     std::string
     classes(const Scenarios &scenarios)
     {
-      CsvTable table("scenario,value,class,flooded,count,share,share_low,"
-                     "share_high");
+      CsvTable table("scenario,value,class,flooded,count" + titles_of("share"));
       for (std::size_t s = 0; s < scenarios.size(); ++s)
-        for (const ClassCount &c :
-             count_classes(*scenarios[s].records, scenarios[s].slides))
+        for (const ClassCount &c : count_classes(*scenarios[s].records,
+                                                 scenarios[s].slides,
+                                                 scenarios[s].info->base_level))
           scenario_row(table, scenarios, s)
             .cell(to_string(c.failure_class))
             .cell(c.flooded ? 1 : 0)
@@ -308,20 +254,29 @@ namespace Waker
     std::string
     event_tree(const Scenarios &scenarios)
     {
-      CsvTable table("scenario,value,j,n_reached,n_S_j,n_F_j,P_S_j_given_not_F,"
-                     "P_F_j_given_S_j,P_F_j,cumulative,cumulative_low,"
-                     "cumulative_high");
+      CsvTable table("scenario,value,j,n_reached,n_S_j,n_F_j" +
+                     titles_of("P_S_j_given_not_F") +
+                     titles_of("P_F_j_given_S_j") + titles_of("P_F_j") +
+                     titles_of("cumulative"));
       for (std::size_t s = 0; s < scenarios.size(); ++s)
-        for (std::size_t j = 0; j < scenarios[s].tree.levels.size(); ++j)
-          {
-            const EventTreeLevel &level = scenarios[s].tree.levels[j];
-            scenario_row(table, scenarios, s).cell(j + 1);
-            table.cell(level.n_reached).cell(level.n_slides);
-            table.cell(level.n_flooding).cell(level.slide);
-            table.cell(level.flooding).cell(level.path);
-            table.cell(level.cumulative).cell(level.interval.low);
-            table.cell(level.interval.high);
-          }
+        {
+          const EventTree    &tree      = scenarios[s].tree;
+          const std::uint64_t n         = tree.direct.n;
+          std::uint64_t       n_flooded = 0;
+          for (std::size_t j = 0; j < tree.levels.size(); ++j)
+            {
+              const EventTreeLevel &level = tree.levels[j];
+              n_flooded += level.n_flooding;
+              scenario_row(table, scenarios, s).cell(j + 1);
+              table.cell(level.n_reached).cell(level.n_slides);
+              table.cell(level.n_flooding);
+              // counts of whole sequences: the products of (4.21) telescope
+              table.cells(proportion(level.n_slides, level.n_reached));
+              table.cells(proportion(level.n_flooding, level.n_slides));
+              table.cells(proportion(level.n_flooding, n));
+              table.cells(proportion(n_flooded, n));
+            }
+        }
       return table.finish();
     }
   } // namespace ReportTables

@@ -4,6 +4,7 @@
 #include <waker/reliability/columns.h>
 #include <waker/reliability/hdf5_file.h>
 #include <waker/reliability/store.h>
+#include <waker/reliability/store_scenarios.h>
 
 #include <algorithm>
 #include <limits>
@@ -71,7 +72,10 @@ namespace Waker
           taken[place] = true;
 
           std::vector<Slide> slides = find_slides(record, slide_parameters);
-          const FailureClass failure_class = classify(record, slides);
+          const FailureClass failure_class =
+            classify(record,
+                     slides,
+                     info.scenarios[record.scenario].base_level);
           table.n_slides = std::max(table.n_slides, slides.size());
           table.records.push_back({&record, std::move(slides), failure_class});
           table.places.push_back(place);
@@ -153,72 +157,13 @@ namespace Waker
     }
 
 
-    /// Of one member of all scenarios.
-    template <typename Function>
-    auto
-    collect(const CampaignInfo &info, const Function &member)
-    {
-      std::vector<std::decay_t<decltype(member(info.scenarios[0]))>> values;
-      for (const ScenarioInfo &scenario : info.scenarios)
-        values.push_back(member(scenario));
-      return values;
-    }
-
-
-    void
-    write_scenarios(Hdf5File &file, const CampaignInfo &info)
-    {
-      const auto write = [&](const std::string      &name,
-                             const std::string      &units,
-                             const std::string      &long_name,
-                             const Hdf5File::Values &values) {
-        file.write_variable(name,
-                            {"scenario"},
-                            values,
-                            describe(units, long_name));
-      };
-      using Info = ScenarioInfo;
-      write("scenario_value",
-            "1",
-            info.swept_parameter.empty()
-              ? "value of the swept parameter: there is none"
-              : "value of " + info.swept_parameter,
-            collect(info, [](const Info &s) { return s.value; }));
-      write("water_level", "m", "water level", collect(info, [](const Info &s) {
-              return s.water_level;
-            }));
-      write("crest_level",
-            "m",
-            "level of the crest as drawn",
-            collect(info, [](const Info &s) { return s.crest_level; }));
-
-      std::size_t n_axes = 2;
-      for (const Info &scenario : info.scenarios)
-        n_axes = std::max(n_axes, scenario.scales.size());
-      for (std::size_t d = 0; d < std::min<std::size_t>(n_axes, 3); ++d)
-        {
-          const char axis = "xyz"[d];
-          write(std::string("scale_") + axis,
-                "m",
-                std::string("scale of fluctuation in ") + axis +
-                  " of the first random field",
-                collect(info, [d](const Info &s) {
-                  return d < s.scales.size() ? s.scales[d] : missing<double>;
-                }));
-        }
-      write("scenario_hash",
-            "1",
-            "hash of all that decides the realisations",
-            collect(info, [](const Info &s) { return s.hash; }));
-    }
-
-
     std::string
-    make_store(const CampaignInfo    &info,
-               const Table           &table,
-               const SlideParameters &slides,
-               const JournalCounts   &counts,
-               const std::uint64_t    n_surplus)
+    make_store(const CampaignInfo        &info,
+               const std::vector<Record> &records,
+               const Table               &table,
+               const SlideParameters     &slides,
+               const JournalCounts       &counts,
+               const std::uint64_t        n_surplus)
     {
       Hdf5File file;
       file.write_attributes({{"Conventions", "CF-1.8"},
@@ -258,6 +203,7 @@ namespace Waker
                            describe("1", "number of the slide"));
 
       write_scenarios(file, info);
+      write_estimates(file, info, records);
       write_columns(file, table, flag_columns);
       write_columns(file, table, count_columns);
       write_columns(file, table, real_columns);
@@ -281,7 +227,8 @@ namespace Waker
     std::string contents;
     try
       {
-        contents = make_store(info, table, slide_parameters, counts, n_surplus);
+        contents =
+          make_store(info, records, table, slide_parameters, counts, n_surplus);
       }
     catch (const std::runtime_error &error)
       {

@@ -18,12 +18,19 @@ PLANE = ("scenario", "realisation")
 SPACE = PLANE + ("slide",)
 MOVED = [f"{first}{way}_{what}" for first in ("", "first_")
          for way in ("inward", "outward") for what in ("area", "dx", "dy")]
+PROBABILITIES = ("P_S1", "P_F", "P_F_given_S1", "P_S1_geometry", "P_S1_thesis",
+                 "P_S1_displacement", "P_inner_slide", "P_outer_slide",
+                 "P_F_given_S1_thesis", "P_F_monotone")
 # name: (dimensions, type on the disk, units)
 VARIABLES = {
     "scenario_value": (("scenario",), "O", "1"),
     "scenario_hash": (("scenario",), "O", "1"),
     **{name: (("scenario",), "f8", "m")
-       for name in ("water_level", "crest_level", "scale_x", "scale_y")},
+       for name in ("water_level", "crest_level", "base_level", "scale_x",
+                    "scale_y")},
+    **{name: (("scenario",), "i8", "1") for name in ("n", "n_S1", "n_F")},
+    **{name + end: (("scenario",), "i1" if end == "_kind" else "f8", "1")
+       for name in PROBABILITIES for end in ("", "_low", "_high", "_kind")},
     **{name: (PLANE, "i1", "1") for name in (
         "outcome", "failure_class", "still_moving", "loads_change", "at_box")},
     **{name: (PLANE, "i4", "1") for name in ("attempts", "n_slides")},
@@ -62,6 +69,8 @@ FLAGS = {
     "still_moving": "no yes",
     "loads_change": "no yes",
     "at_box": "no yes",
+    **{name + "_kind": "estimate upper_bound lower_bound unknown"
+       for name in PROBABILITIES},
 }
 
 
@@ -133,6 +142,13 @@ def check_values(data):
     check(data.attrs["parameters"] == '# "quoted"\nsubsection Water\nend\n',
           "parameters")
     check(data.attrs["swept_parameter"] == "Water/Level", "swept parameter")
+    # Scenario 0 has 4 realisations of which 2 flooded, scenario 1 has 2 of 2.
+    check(data["n"].values.tolist() == [4, 2], "n")
+    check(data["P_F"].values.tolist() == [0.5, 1.0], "P(F)")
+    check(abs(data["P_F_low"].values[0] - 0.06759) < 1e-5, "interval")
+    check(data["P_F_kind"].values.tolist() == [0, 2], "kinds")
+    # Higher water is not safer: the two levels are pooled.
+    check(np.allclose(data["P_F_monotone"], 4 / 6), "monotone")
     run = [(0, 0), (0, 1), (0, 2), (0, 5), (1, 1), (1, 7)]
     check(int((data["outcome"] >= 0).sum()) == len(run), "number of outcomes")
     for k, i in run:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/reliability/event_tree.h>
 
+#include <cmath>
 #include <gtest/gtest.h>
 #include <random>
 
@@ -47,6 +48,7 @@ TEST(EventTree, equals_the_direct_count_for_any_sequences)
       EXPECT_EQ(tree.direct.estimate, p);
       EXPECT_EQ(tree.direct.n, n);
       EXPECT_GE(tree.truncated, p - 1e-14);
+      EXPECT_NEAR(tree.truncated, tree.truncated_direct.estimate, 1e-14);
       if (!tree.levels.empty())
         {
           EXPECT_EQ(tree.levels.front().n_reached, n);
@@ -99,6 +101,8 @@ TEST(EventTree, by_hand)
   EXPECT_EQ(tree.critical_slide, 2U);
   EXPECT_DOUBLE_EQ(tree.critical_path, 0.6 * 0.8);
 
+  EXPECT_EQ(tree.truncated_direct.count, 5U);
+  EXPECT_EQ(tree.truncated_direct.n, 10U);
   EXPECT_DOUBLE_EQ(build_event_tree(sequences, 1).truncated, 0.6); // P(S_1)
   EXPECT_DOUBLE_EQ(build_event_tree(sequences, 4).truncated, 0.4);
 }
@@ -111,6 +115,8 @@ TEST(EventTree, without_slides_or_realisations)
   EXPECT_EQ(none.probability, 0.);
   EXPECT_EQ(none.truncated, 0.);
   EXPECT_EQ(none.critical_slide, 0U);
+  EXPECT_TRUE(std::isnan(none.critical_path));
+  EXPECT_GT(none.truncated_direct.high, 0.5); // no count is no certainty
   EXPECT_GT(none.direct.high, 0.5);
   EXPECT_EQ(build_event_tree({}, 4).probability, 0.);
 }

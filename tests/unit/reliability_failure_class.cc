@@ -11,7 +11,7 @@ namespace
   FailureClass
   class_of(const Record &record)
   {
-    return classify(record, find_slides(record, SlideParameters()));
+    return classify(record, find_slides(record, SlideParameters()), 0.);
   }
 
   const std::vector<TracePoint> one_slide  = {{0, 11, 5},
@@ -107,4 +107,30 @@ TEST(FailureClasses, horizontal_slide)
   stays.first_inward = {80., 0.7, -0.05};
   stays.inward       = {95., 2., -0.15};
   EXPECT_EQ(class_of(stays), FailureClass::horizontal);
+}
+
+
+TEST(FailureClasses, do_not_depend_on_the_datum)
+{
+  // the body moves as a whole, with all of W_i H_i and not more
+  const std::vector<TracePoint> dam = {{0, 11, 5},
+                                       {3, 11, 5},
+                                       {4, 10.5, 4.8},
+                                       {4.5, 0, 4}};
+  for (const double shift : {-20., -6., 0., 10.})
+    {
+      Record record       = failed_dyke(dam);
+      record.first_inward = {40., 1., -0.1};
+      record.inward       = {60., 5., -0.3};
+      record.initial_height += shift;
+      record.residual_height += shift;
+      for (TracePoint &point : record.trace)
+        point.height += shift;
+      const std::vector<Slide> slides = find_slides(record, SlideParameters());
+      EXPECT_EQ(classify(record, slides, shift), FailureClass::horizontal)
+        << shift;
+      record.inward.area = 50.;
+      EXPECT_NE(classify(record, slides, shift), FailureClass::horizontal)
+        << shift;
+    }
 }

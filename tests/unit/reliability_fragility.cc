@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
 #include <waker/reliability/fragility.h>
+#include <waker/reliability/report_tables.h>
+#include <waker/reliability/yearly.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -135,6 +138,8 @@ TEST(Fragility, points_are_by_level_and_of_levels_only)
   EXPECT_EQ(points[0].freeboard, 1.);
   EXPECT_EQ(points[1].initial.estimate, 0.25);
 
+  info.scenarios[1].water_level = NAN; // no water: no level
+  EXPECT_EQ(fragility_points(info, records).size(), 1U);
   info.scenarios[1].water_level = 4.75; // something else is swept
   EXPECT_TRUE(fragility_points(info, records).empty());
 }
@@ -159,6 +164,133 @@ TEST(Fragility, flooding_rises_with_the_level_and_initial_failure_need_not)
       EXPECT_GE(p.high, p.estimate);
       EXPECT_LE(flooding.estimate(h), flooding.estimate(h + 0.01) + 1e-15);
     }
+}
+
+
+TEST(Fragility, bounds_are_no_estimates)
+{
+  // As once reported: beta 0.960 at 3.5 m, of the upper bound of no flood in
+  // 20, and 1.645 at 4.5 m, of one in 20: lower water looked more dangerous.
+  const std::vector<FragilityPoint> points = {point(3., 0, 40),
+                                              point(3.5, 0, 20),
+                                              point(4.5, 1, 20),
+                                              point(4.75, 20, 20)};
+  const BoundedCurve                curve  = flooding_curve(points);
+  std::vector<BoundedIndex>         beta;
+  for (const FragilityPoint &p : points)
+    beta.push_back(reliability_index(curve.at(p.water_level)));
+  EXPECT_TRUE(std::isnan(beta[0].estimate));
+  EXPECT_TRUE(std::isnan(beta[1].estimate));
+  EXPECT_NEAR(beta[1].low, 0.960, 1e-3);
+  EXPECT_NEAR(beta[2].estimate, 1.645, 1e-3);
+  EXPECT_TRUE(std::isnan(beta[3].estimate));
+  EXPECT_TRUE(std::isnan(beta[3].low));
+  EXPECT_TRUE(std::isnan(beta[0].high));
+  for (unsigned int i = 0; i + 1 < points.size(); ++i)
+    if (std::isfinite(beta[i + 1].low))
+      {
+        EXPECT_GE(beta[i].low, beta[i + 1].low);
+      }
+
+  // only what is an estimate is exported as one; bounds at every level
+  EXPECT_EQ(ReportTables::fragility_export(points),
+            "hydraulicload,failure_probability\n4.5,0.05\n");
+  const std::string upper = ReportTables::fragility_export_upper(points);
+  EXPECT_EQ(std::count(upper.begin(), upper.end(), '\n'), 5);
+  EXPECT_EQ(upper.find("nan"), std::string::npos);
+
+  const std::string table = ReportTables::fragility_beta(points);
+  EXPECT_NE(table.find("\n3.5,nan,0.96"), std::string::npos) << table;
+  EXPECT_NE(table.find("nan,lower bound\n4.5,1.64"), std::string::npos)
+    << table;
+  EXPECT_NE(table.find(",upper bound\n"), std::string::npos) << table;
+  for (const std::string &text : {table,
+                                  ReportTables::fragility(points),
+                                  ReportTables::fragility_curve(points)})
+    EXPECT_EQ(text.find("inf"), std::string::npos) << text;
+}
+
+
+TEST(Fragility, bounds_made_to_rise_still_are_bounds)
+{
+  // pooled: the upper bound is not below the lower one of the two, the lower
+  // bound not above the higher one
+  const std::vector<FragilityPoint> points = {point(3., 8, 100),
+                                              point(4., 4, 300)};
+  const BoundedCurve                curve  = flooding_curve(points);
+  for (const FragilityPoint &p : points)
+    {
+      const BoundedProbability at = curve.at(p.water_level);
+      EXPECT_NEAR(at.estimate, 12. / 400., 1e-15);
+      EXPECT_GE(at.high,
+                std::min(points[0].flooding.high, points[1].flooding.high));
+      EXPECT_LE(at.low,
+                std::max(points[0].flooding.low, points[1].flooding.low));
+    }
+}
+
+
+TEST(Fragility, notes_say_where_it_falls)
+{
+  const auto notes_of = [](const std::vector<FragilityPoint> &points) {
+    std::string text;
+    for (const std::string &note : fragility_notes(points))
+      text += note + "\n";
+    return text;
+  };
+  // initial failure 10 more than flooding
+  const std::string none =
+    notes_of({point(3., 1, 100), point(4., 4, 100), point(4.75, 30, 100)});
+  EXPECT_EQ(none, "");
+
+  const std::string chance = notes_of({point(3., 4, 100), point(4., 1, 100)});
+  EXPECT_NE(chance.find("P(F|h) falls with rising water, 4 of 100 at 3 m and "
+                        "1 of 100 at 4 m, as chance"),
+            std::string::npos)
+    << chance;
+  EXPECT_NE(chance.find("P(S1|h) falls"), std::string::npos) << chance;
+
+  std::vector<FragilityPoint> outer = {point(3., 0, 100), point(4., 1, 100)};
+  outer[0].initial                  = proportion(54, 100);
+  const std::string text            = notes_of(outer);
+  EXPECT_NE(text.find(
+              "54 of 100 at 3 m and 11 of 100 at 4 m, more than chance"),
+            std::string::npos)
+    << text;
+  EXPECT_EQ(text.find("P(F|h) falls"), std::string::npos) << text;
+  EXPECT_NE(text.find("Flooded: 0 of 100 at 3 m"), std::string::npos) << text;
+
+  const std::string strange = notes_of({point(3., 80, 100), point(4., 4, 100)});
+  EXPECT_NE(strange.find("Higher water is not safer"), std::string::npos)
+    << strange;
+}
+
+
+TEST(Fragility, levels_are_above_any_datum)
+{
+  // 20 m lower: the same curves and the same years
+  const std::vector<FragilityPoint> points = {point(3., 0, 100),
+                                              point(4., 4, 100),
+                                              point(4.75, 30, 100)};
+  std::vector<FragilityPoint>       low    = points;
+  for (FragilityPoint &p : low)
+    p.water_level -= 20.;
+  RiskParameters parameters;
+  parameters.allowed_probability = 0.01;
+  std::vector<std::string> notes;
+  const LevelDistribution  above = LevelDistribution::gumbel(3.5, 0.25),
+                          below  = LevelDistribution::gumbel(-16.5, 0.25);
+  const auto a = yearly("Water/Level", points, above, parameters, notes);
+  const auto b = yearly("Water/Level", low, below, parameters, notes);
+  EXPECT_NEAR(a->flooding.estimate, b->flooding.estimate, 1e-12);
+  EXPECT_NEAR(a->flooding.high, b->flooding.high, 1e-12);
+  EXPECT_NEAR(a->initial.low, b->initial.low, 1e-12);
+  EXPECT_NEAR(a->above_the_crest, b->above_the_crest, 1e-12);
+  EXPECT_NEAR(a->share_from_above, b->share_from_above, 1e-12);
+  EXPECT_NEAR(a->above_the_crest, above.exceedance(5.), 1e-15);
+  const LevelDistribution table =
+    LevelDistribution::parse_table("-18,0.1\n-16,0.001\n", "t.csv");
+  EXPECT_NEAR(table.exceedance(-17.), 0.01, 1e-12);
 }
 
 

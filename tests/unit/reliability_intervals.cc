@@ -140,3 +140,12 @@ TEST(Intervals, reliability_index_and_coefficient_of_variation)
   EXPECT_TRUE(std::isinf(coefficient_of_variation(0, 1000)));
   EXPECT_EQ(coefficient_of_variation(5, 5), 0.);
 }
+
+
+TEST(Intervals, what_an_estimate_says)
+{
+  EXPECT_EQ(to_string(kind_of(proportion(0, 20).estimate)), "upper bound");
+  EXPECT_EQ(to_string(kind_of(proportion(1, 20).estimate)), "estimate");
+  EXPECT_EQ(to_string(kind_of(proportion(20, 20).estimate)), "lower bound");
+  EXPECT_EQ(to_string(kind_of(proportion(0, 0).estimate)), "unknown");
+}

@@ -281,9 +281,10 @@ namespace Waker
   TEST(Reliability, campaign_info_returns_from_its_file)
   {
     const TemporaryFolder folder;
-    const std::string     path = folder.file("campaign.json");
-    CampaignInfo          info = synthetic_campaign();
-    info.scenarios[0].scales   = {1. / 3., 0.5, 7.};
+    const std::string     path   = folder.file("campaign.json");
+    CampaignInfo          info   = synthetic_campaign();
+    info.scenarios[0].scales     = {1. / 3., 0.5, 7.};
+    info.scenarios[0].base_level = -6.;
     info.write(path);
 
     const CampaignInfo copy = CampaignInfo::read(path);
@@ -302,6 +303,7 @@ namespace Waker
         EXPECT_EQ(copy.scenarios[k].value, info.scenarios[k].value);
         EXPECT_EQ(copy.scenarios[k].water_level, info.scenarios[k].water_level);
         EXPECT_EQ(copy.scenarios[k].crest_level, info.scenarios[k].crest_level);
+        EXPECT_EQ(copy.scenarios[k].base_level, info.scenarios[k].base_level);
         EXPECT_EQ(copy.scenarios[k].scales, info.scenarios[k].scales);
         EXPECT_EQ(copy.scenarios[k].hash, info.scenarios[k].hash);
       }

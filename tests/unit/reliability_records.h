@@ -63,8 +63,8 @@ namespace Waker
     info.realisations    = 8;
     info.hash            = "0123abcd";
     info.swept_parameter = "Water/Level";
-    info.scenarios       = {{"4.5", 4.5, 5., {6., 0.5}, "aa"},
-                            {"3,5 µm", 3.5, 5., {}, "bb"}};
+    info.scenarios       = {{"4.5", 4.5, 5., 0., {6., 0.5}, "aa"},
+                            {"3,5 µm", 3.5, 5., 0., {}, "bb"}};
     info.parameters      = "# \"quoted\"\nsubsection Water\nend\n";
     return info;
   }

@@ -6,6 +6,7 @@
 
 #include "output_temporary_folder.h"
 #include <algorithm>
+#include <filesystem>
 #include <gtest/gtest.h>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -41,6 +42,7 @@ namespace
         scenario.water_level = 4.75 - 0.5 * s;
         scenario.value       = std::to_string(scenario.water_level);
         scenario.crest_level = 5.;
+        scenario.base_level  = 0.;
         c.info.scenarios.push_back(scenario);
         for (std::uint64_t i = 0; i < 400; ++i)
           {
@@ -88,7 +90,9 @@ namespace
                                            "event_tree",
                                            "fragility",
                                            "fragility_curve",
-                                           "fragility_beta"};
+                                           "fragility_beta",
+                                           "fragility_export",
+                                           "fragility_export_upper"};
 
   /// Rows of a table as maps from title to cell; every row must be complete.
   std::vector<std::map<std::string, std::string>>
@@ -230,6 +234,60 @@ TEST(Report, tables_and_json_say_the_same)
               1e8 * yearly["P_F"]["high"].get<double>(),
               1e-3);
   EXPECT_EQ(yearly["risk"]["macro_instability"]["verdict"], "not met");
+  const auto risks = read_table(folder.path, "risk");
+  ASSERT_EQ(risks.size(), 1U);
+  EXPECT_EQ(risks[0].at("scope"), "year");
+  EXPECT_NEAR(std::stod(risks[0].at("P_F_high")), yearly["P_F"]["high"], 1e-11);
+  EXPECT_NEAR(std::stod(risks[0].at("P_S1")),
+              yearly["P_S1"]["estimate"],
+              1e-11);
+  EXPECT_EQ(risks[0].at("verdict_macro_instability"), "not met");
+  EXPECT_NEAR(std::stod(risks[0].at("budget_macro_instability")), 4e-4, 1e-15);
+  EXPECT_NEAR(std::stod(risks[0].at("risk_euro_high")) /
+                yearly["risk"]["risk_euro"]["high"].get<double>(),
+              1.,
+              1e-10);
+  // and on the screen
+  const std::string text = report_text(
+    c.info, c.records, parameters, read_level_distribution(parameters.risk));
+  for (const char *const part : {"Per year",
+                                 "macro-instability, 0.0004: not met",
+                                 "above the highest level of the sweep",
+                                 "euro",
+                                 "taken as constant"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << '\n' << text;
+
+  // no row of any table has an infinite number; kinds stand beside
+  // probabilities
+  std::vector<std::string> files;
+  for (const auto &entry : std::filesystem::directory_iterator(folder.path))
+    {
+      files.push_back(entry.path().filename().string());
+      const std::string contents = read_file(entry.path().string());
+      EXPECT_EQ(contents.find("inf"), std::string::npos) << files.back();
+    }
+  for (const auto &row : read_table(folder.path, "probability_time"))
+    {
+      EXPECT_EQ(row.at("P_S1_kind"),
+                row.at("n_S1") == "0" ? "upper bound" : "estimate");
+      EXPECT_EQ(row.at("P_F_given_S1_kind") == "unknown",
+                row.at("n_S1") == "0");
+    }
+  for (const auto &row : tree)
+    {
+      EXPECT_LE(std::stod(row.at("P_F_j_low")), std::stod(row.at("P_F_j")));
+      EXPECT_EQ(row.at("P_F_j_kind"),
+                row.at("n_F_j") == "0" ? "upper bound" : "estimate");
+    }
+  ASSERT_EQ(json["fragility"].size(), 3U);
+  const auto curve = read_table(folder.path, "fragility");
+  for (unsigned int i = 0; i < 3; ++i)
+    {
+      EXPECT_NEAR(std::stod(curve[i].at("P_F_monotone")),
+                  json["fragility"][i]["P_F_monotone"]["estimate"],
+                  1e-11);
+      EXPECT_EQ(curve[i].at("P_F_kind"), json["fragility"][i]["P_F"]["kind"]);
+    }
   EXPECT_NEAR(json["point_statistics"]["P_factor_below_1"], 0.1243, 5e-5);
   EXPECT_FALSE(json["notes"].empty());
   EXPECT_EQ(read_table(folder.path, "fragility")[0].at("freeboard"), "1.25");
@@ -266,6 +324,9 @@ TEST(Report, of_a_campaign_without_results)
   const auto json =
     nlohmann::json::parse(read_file(join_path(folder.path, "report.json")));
   EXPECT_TRUE(json["scenarios"][0]["by_geometry"]["P_F"]["estimate"].is_null());
+  EXPECT_EQ(json["scenarios"][0]["by_geometry"]["P_F"]["kind"], "unknown");
+  EXPECT_TRUE(json["scenarios"][0]["event_tree"]["probability"].is_null());
+  EXPECT_TRUE(json["scenarios"][0]["event_tree"]["critical_path"].is_null());
   EXPECT_TRUE(json["yearly"].is_null());
   EXPECT_NE(
     report_text(info, {{}}, AnalysisParameters()).find("no realisation"),
@@ -284,6 +345,25 @@ TEST(Report, text_for_people)
                                  "1 numerical failure"})
     EXPECT_NE(text.find(part), std::string::npos) << part << '\n' << text;
   EXPECT_NE(text.back(), '\n');
+}
+
+
+TEST(Report, text_of_no_flood_is_a_bound)
+{
+  Campaign c = make_campaign();
+  for (Record &record : c.records[0])
+    record = Record();
+  const std::string text = report_text(c.info, c.records, AnalysisParameters());
+  EXPECT_NE(text.find("P(F)     at most 0.00918"), std::string::npos) << text;
+  EXPECT_NE(text.find(" 0 of 400"), std::string::npos) << text;
+
+  // given its level, if that is all there is
+  AnalysisParameters parameters;
+  parameters.risk.allowed_probability = 0.5;
+  const std::string budget = report_text(c.info, c.records, parameters);
+  EXPECT_NE(budget.find("budget of macro-instability, 0.02: met"),
+            std::string::npos)
+    << budget;
 }
 
 

@@ -175,7 +175,7 @@ namespace Waker
         const auto slides  = find_slides(record, SlideParameters());
         const bool flooded = record.outcome == Outcome::flooding;
         EXPECT_EQ(outcome[at], static_cast<int>(record.outcome));
-        EXPECT_EQ(classes[at], static_cast<int>(classify(record, slides)));
+        EXPECT_EQ(classes[at], static_cast<int>(classify(record, slides, 0.)));
         EXPECT_EQ(attempts[at], record.attempts);
         EXPECT_EQ(linear[at], 3e12);
         expect_same(initial[at], event(record.initial_time));

@@ -3,6 +3,7 @@
 #define waker_reliability_campaign_info_h
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -11,9 +12,12 @@ namespace Waker
   /// One value of a parameter sweep.
   struct ScenarioInfo
   {
-    std::string         value; // as the user wrote it; empty without a sweep
-    double              water_level = 0.; // m
-    double              crest_level = 0.; // of the drawn profile, m
+    std::string value; // as the user wrote it; empty without a sweep
+    /// At which W is measured, m; NaN: there is none.
+    double water_level = std::numeric_limits<double>::quiet_NaN();
+    /// Highest and lowest corner of the drawn profile, m; NaN: not known.
+    double              crest_level = std::numeric_limits<double>::quiet_NaN();
+    double              base_level  = std::numeric_limits<double>::quiet_NaN();
     std::vector<double> scales; // of fluctuation of the first field, m
     std::string         hash;   // of all that decides its realisations
   };

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 namespace Waker
 {
@@ -48,7 +49,7 @@ namespace Waker
     CsvTable &
     cell(const double value)
     {
-      if (std::isnan(value)) // without a sign
+      if (!std::isfinite(value)) // no reader takes it for a number
         return cell(std::string("nan"));
       char buffer[40];
       std::snprintf(buffer, sizeof buffer, "%.12g", value);
@@ -63,11 +64,14 @@ namespace Waker
       return cell(std::to_string(value));
     }
 
-    /// P, low, high
+    /// P, low, high, kind, of a Proportion or a BoundedProbability
+    template <typename Probability,
+              typename = decltype(std::declval<Probability>().high)>
     CsvTable &
-    cells(const Proportion &p)
+    cells(const Probability &p)
     {
-      return cell(p.estimate).cell(p.low).cell(p.high);
+      cell(p.estimate).cell(p.low).cell(p.high);
+      return cell(to_string(kind_of(p.estimate)));
     }
 
     CsvTable &
@@ -88,11 +92,11 @@ namespace Waker
   };
 
 
-  /// Titles of a probability and its interval.
+  /// Titles of a probability, its interval, and what the estimate says.
   inline std::string
   titles_of(const std::string &name)
   {
-    return "," + name + "," + name + "_low," + name + "_high";
+    return "," + name + "," + name + "_low," + name + "_high," + name + "_kind";
   }
 } // namespace Waker
 

@@ -60,6 +60,7 @@ namespace Waker
     /// (4.24): P(F_l|S_l) := 1, so at least `probability`.
     unsigned int length; // l
     double       truncated;
+    Proportion   truncated_direct; // the same, counted
 
     /**
      * (4.25), the shortcut of van der Krogt et al. (2019): no flooding before
@@ -67,7 +68,7 @@ namespace Waker
      * after which more than half of the dykes flood (the most likely damaged
      * dyke is then lower than the water); the path's probability is the
      * product of P(S_k|notF_{k-1}) up to it, what a stability analysis of
-     * each damaged dyke would give. 0 and 0 if there is no such slide.
+     * each damaged dyke would give. 0 and NaN if there is no such slide.
      */
     unsigned int critical_slide;
     double       critical_path;

@@ -54,9 +54,9 @@ namespace Waker
    *    end decides; if none has then either, a width that has grown means
    *    outwards.
    * 3. horizontal (fig. 5.2d, 5.5f): the body is translated inwards. By the
-   *    end the moved soil has an area of W_i H_i at least (H from y = 0, the
-   *    dyke's base), has travelled much further than it fell, and the last
-   *    slide has left the width as it was while the height was lost
+   *    end the moved soil has an area of W_i H_i at least (H from the base
+   *    of the soil profile), has travelled much further than it fell, and the
+   * last slide has left the width as it was while the height was lost
    *    (FailureClassLimits). It may have begun with a rotational slide.
    * 4. retrogressive (fig. 5.2c): two slides or more.
    * 5. initial only (fig. 5.2a, b): one slide. With flooding this is the deep
@@ -68,9 +68,12 @@ namespace Waker
    * A realisation that failed numerically is judged by what it did until then.
    *
    * @param slides find_slides() of the same record
+   * @param base_level of the soil profile, m: H_i is measured from there
    */
   FailureClass
-  classify(const Record &record, const std::vector<Slide> &slides);
+  classify(const Record             &record,
+           const std::vector<Slide> &slides,
+           const double              base_level);
 } // namespace Waker
 
 #endif

@@ -68,6 +68,18 @@ namespace Waker
     double high;
   };
 
+  /// Reliability index beta of a probability and of its bounds, falling where
+  /// the probability rises; NaN where it is not finite.
+  struct BoundedIndex
+  {
+    double estimate;
+    double low;  // of the upper bound of the probability
+    double high; // of the lower one
+  };
+
+  BoundedIndex
+  reliability_index(const BoundedProbability &probability);
+
   /// Estimate and bounds. Bounds are those of all levels at once.
   struct BoundedCurve
   {
@@ -86,7 +98,13 @@ namespace Waker
   BoundedCurve
   initial_failure_curve(const std::vector<FragilityPoint> &points);
 
-  /// P(F|h): rises with h, and is made to where chance says otherwise.
+  /**
+   * P(F|h): higher water is not safer, so it is made to rise with h where
+   * chance says otherwise (isotonic regression, weighted by n). Its bounds,
+   * those of the levels made to rise in the same way, hold what they held: in
+   * each pooled block they lie at or beyond a bound of a level from which
+   * monotony carries over.
+   */
   BoundedCurve
   flooding_curve(const std::vector<FragilityPoint> &points);
 

@@ -6,18 +6,17 @@
 #include <waker/reliability/intervals.h>
 #include <waker/reliability/slides.h>
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
 namespace Waker
 {
-  /// Values in [low, high) by outcome: stable, initial failure, flooding.
+  /// Values in [low, high) by outcome, as all_outcomes().
   struct HistogramBin
   {
-    double                       low;
-    double                       high;
-    std::array<std::uint64_t, 3> counts;
+    double                     low;
+    double                     high;
+    std::vector<std::uint64_t> counts;
   };
 
   struct OutcomeValue
@@ -72,11 +71,13 @@ namespace Waker
     Proportion   share;
   };
 
-  /// One entry for every class and both values of flooded, but none for
+  /// @param base_level as classify()
+  /// @return one entry for every class and both values of flooded, but none for
   /// flooding without failure.
   std::vector<ClassCount>
   count_classes(const std::vector<Record>             &records,
-                const std::vector<std::vector<Slide>> &slides);
+                const std::vector<std::vector<Slide>> &slides,
+                const double                           base_level);
 } // namespace Waker
 
 #endif

@@ -3,6 +3,7 @@
 #define waker_reliability_intervals_h
 
 #include <cstdint>
+#include <string>
 
 namespace Waker
 {
@@ -25,6 +26,25 @@ namespace Waker
     double        low;      // of the interval of Clopper and Pearson
     double        high;
   };
+
+  /// What an estimate of a probability says by itself: with no event counted
+  /// only the upper end of its interval says anything, with nothing but events
+  /// only the lower one.
+  enum class EstimateKind
+  {
+    estimate,
+    upper_bound,
+    lower_bound,
+    unknown // nothing was counted
+  };
+
+  /// "estimate", "upper bound", "lower bound", "unknown".
+  std::string
+  to_string(const EstimateKind kind);
+
+  /// Of a probability: 0 is an upper bound, 1 a lower one, NaN unknown.
+  EstimateKind
+  kind_of(const double estimate);
 
   /**
    * The exact interval of a probability after `count` of `n` (Clopper &

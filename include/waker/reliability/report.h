@@ -44,11 +44,13 @@ namespace Waker
                const std::vector<MachineUse>          &machines = {});
 
   /// For people: counts, probabilities and intervals, a few lines per
-  /// scenario, without a line break at the end. Reads no file.
+  /// scenario, budgets and risk, without a line break at the end. Reads no
+  /// file. @param distribution that of read_level_distribution()
   std::string
   report_text(const CampaignInfo                     &info,
               const std::vector<std::vector<Record>> &records_by_scenario,
-              const AnalysisParameters               &parameters);
+              const AnalysisParameters               &parameters,
+              const std::optional<LevelDistribution> &distribution = {});
 } // namespace Waker
 
 #endif

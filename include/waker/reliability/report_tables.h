@@ -9,6 +9,7 @@
 #include <waker/reliability/machine.h>
 #include <waker/reliability/record.h>
 #include <waker/reliability/slides.h>
+#include <waker/reliability/yearly.h>
 
 #include <optional>
 #include <string>
@@ -25,6 +26,10 @@ namespace Waker
     EventTree                       tree;
   };
 
+  /// P(F) of a scenario, given its water level.
+  BoundedProbability
+  flooding_of(const AnalysedScenario &scenario);
+
   /// @param records_by_scenario must outlive the result
   std::vector<AnalysedScenario>
   analyse(const CampaignInfo                     &info,
@@ -33,8 +38,9 @@ namespace Waker
 
   /**
    * The tables of a report as text: comma separated, one line of titles, '.'
-   * as decimal point, "nan" and "inf" where there is no number. Columns P_*
-   * have P_*_low and P_*_high, the 95 % interval, beside them.
+   * as decimal point, "nan" where there is no finite number. Columns P_* have
+   * P_*_low and P_*_high, the 95 % interval, beside them, and P_*_kind, what
+   * the estimate says (EstimateKind).
    */
   namespace ReportTables
   {
@@ -77,12 +83,32 @@ namespace Waker
     fragility_curve(const std::vector<FragilityPoint> &points);
 
     /**
-     * Pairs water_level,beta of P(F|h), as other programs read them: one per
-     * swept level, made to fall with h. Where no dyke (every dyke) flooded
-     * beta has no finite estimate: then it is that of the upper (lower) bound.
+     * Reliability index of P(F|h), made to fall with h: estimate, the index of
+     * the upper and of the lower bound of P, and what beta is. Where no dyke
+     * (every dyke) flooded beta is NaN, and only beta_low (beta_high) says
+     * anything: kind is then "lower bound" ("upper bound"). Each column falls
+     * with h; no column mixes estimates and bounds.
      */
     std::string
     fragility_beta(const std::vector<FragilityPoint> &points);
+
+    /// Lines hydraulicload,failure_probability of P(F|h), made to rise with h,
+    /// as other programs read them: levels with a finite estimate only.
+    std::string
+    fragility_export(const std::vector<FragilityPoint> &points);
+
+    /// The same of the upper ends of the intervals, at every level.
+    std::string
+    fragility_export_upper(const std::vector<FragilityPoint> &points);
+
+    /// Probability, budget and risk: per year, or of each scenario given its
+    /// water level if there is no distribution of levels. Verdicts are
+    /// "unknown" without an allowed probability.
+    std::string
+    risk(const Scenarios                        &scenarios,
+         const std::optional<LevelDistribution> &distribution,
+         const std::optional<Yearly>            &yearly,
+         const RiskParameters                   &parameters);
   } // namespace ReportTables
 
   /**
@@ -90,6 +116,8 @@ namespace Waker
    *
    * @param points of the same campaign
    * @param distribution of the yearly maximum of the water level
+   * @param yearly_risk  what follows from both
+   * @param notes        for readers
    */
   std::string
   report_json(const CampaignInfo                     &info,
@@ -97,6 +125,8 @@ namespace Waker
               const std::vector<FragilityPoint>      &points,
               const AnalysisParameters               &parameters,
               const std::optional<LevelDistribution> &distribution,
+              const std::optional<Yearly>            &yearly_risk,
+              const std::vector<std::string>         &notes,
               const std::vector<MachineUse>          &machines = {});
 } // namespace Waker
 
