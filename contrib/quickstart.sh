@@ -48,4 +48,5 @@ echo "For ParaView: $run/particles.pvd, surface.pvd, grid.pvd"
 echo "== 6. How likely is that? 40 realisations of the base case of chapter 5"
 build/bin/waker campaign parameters/chapter5/analysis1.prm --overwrite \
   --set "Campaign/Realisations=40" --set "Output/Directory=output/analysis1"
-echo "More of them, kill and resume, figures: doc/campaigns.md"
+/usr/bin/python3 contrib/plots/campaign.py output/analysis1
+echo "More of them, kill and resume, what the figures say: doc/campaigns.md"

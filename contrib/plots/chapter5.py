@@ -8,7 +8,9 @@
 DIR is the folder of a campaign after `waker merge`. Any of the three may be left
 out: what can be drawn is drawn, and what is missing is said. Each figure comes as
 PNG, PDF and CSV (the numbers that it shows). Figures 5.5 and 5.11 compute some
-realisations again, and need the program.
+realisations again, and need the program. What the thesis prints is drawn beside
+campaigns with its parameters only; of another dyke it would say nothing. Figures
+of any campaign, with levels above datum: contrib/plots/campaign.py.
 """
 
 import argparse
@@ -20,6 +22,7 @@ import probability_figures as probability
 import realisation_figures as realisations
 from figure_files import FigureFiles
 from store import Store, with_base_case
+from thesis_parameters import is_thesis
 
 
 def main():
@@ -50,6 +53,9 @@ def main():
         arguments.waker,
         arguments.runs or os.path.join(arguments.output, "runs"))
     missing = {}
+    # Also of the campaigns that go into a figure beside those of its analysis.
+    thesis = {number: is_thesis(store, number)
+              for number, store in stores.items()}
 
     def draw(names, number, function, *more):
         """One or more figures of analysis `number`."""
@@ -73,12 +79,13 @@ def main():
                 key=lambda scenario: getattr(scenario, key))
 
     draw("5.5", 1, realisations.figure_5_5, runner)
-    draw("5.6", 1, probability.figure_5_6, *([points] if points else []))
-    draw("5.7, 5.8", 2, probability.draw_scales)
-    draw("5.9", 2, geometry.figure_5_9)
+    draw("5.6", 1, lambda files, base: probability.in_time(
+        files, "figure_5_06", base, points, thesis[1]))
+    draw("5.7, 5.8", 2, probability.draw_scales, thesis.get(2))
+    draw("5.9", 2, geometry.figure_5_9, thesis.get(2))
     draw("5.10", 2, geometry.figure_5_10)
     draw("5.11", 3, realisations.figure_5_11, runner)
-    draw("5.12, 5.13", 3, probability.draw_water_levels)
+    draw("5.12, 5.13", 3, probability.draw_water_levels, thesis.get(3))
     draw("5.14", 3, geometry.figure_5_14)
     for names, reason in missing.items():
         print(f"figure {names} is not complete: {reason}", file=sys.stderr)

@@ -6,7 +6,8 @@
         --analysis2 DIR --analysis3 DIR [--analysis1-points DIR] \\
         [--page doc/results/chapter5/README.md]
 
---analysis1-points is analysis 1 with `Statistics of = points`. The script writes the tables between the lines `<!-- begin NAME -->` and `<!-- end NAME -->`
+--analysis1-points is analysis 1 with `Statistics of = points`. Campaigns of another
+dyke than the thesis's are refused. The script writes the tables between the lines `<!-- begin NAME -->` and `<!-- end NAME -->`
 of the page (names: comparison, campaigns); the rest of the page stays. Without
 --page it prints them.
 """
@@ -19,6 +20,7 @@ import numpy as np
 
 from store import Store
 from thesis_numbers import POINTS, Stores
+from thesis_parameters import differences
 from thesis_table import ROWS
 
 PENDING = "*not run yet*"
@@ -105,6 +107,11 @@ def main():
                2: arguments.analysis2, 3: arguments.analysis3}
     stores = {number: Store(folder) for number, folder in folders.items()
               if folder}
+    for number, store in stores.items():
+        found = differences(store, 1 if number == POINTS else number)
+        if found:
+            sys.exit(f"{store.folder}: not a campaign of the thesis: "
+                     + "; ".join(found))
     tables = {"comparison": comparison(stores), "campaigns": campaigns(stores)}
     if not arguments.page:
         print("\n\n".join(tables.values()))

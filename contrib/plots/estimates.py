@@ -68,6 +68,15 @@ def proportion(count, n):
     return (count / n,) + clopper_pearson(count, n)
 
 
+def kind(estimate):
+    """What an estimate says by itself, in the words of the report: none of n is
+    an upper bound, all of n a lower one."""
+    if math.isnan(estimate):
+        return "unknown"
+    return ("upper bound" if estimate <= 0.0 else
+            "lower bound" if estimate >= 1.0 else "estimate")
+
+
 def before(times, n, grid):
     """Probability that an event has occurred at each time of the grid or
     before: arrays (estimate, low, high)."""

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Figures 5.9, 5.10 and 5.14: what is left of the dyke, and what that says
-about flooding."""
+"""What is left of the dyke, and what that says about flooding, of any campaign;
+figures 5.9, 5.10 and 5.14 are made of it."""
 
 import matplotlib.pyplot as plt
 import numpy as np
 
 import figure_files as look
 import store as campaign
-from estimates import histogram, mean_with_interval, proportion
+from estimates import histogram, kind, mean_with_interval, proportion
 
 SMALLEST_SCALE = 4.0  # m; below, the thesis finds too few failures (5.4.2)
 PRINTED_MEANS = {4.0: 0.22, 48.0: 0.20}  # of H_r - h by theta_h, m (5.4.2)
@@ -49,10 +49,13 @@ def bars(panels, columns, edges, colours):
     return results
 
 
-def name_panels(panels, labels, columns):
+def name_panels(panels, labels, columns, outside=False):
+    where = {"xy": (1.02, 0.5), "va": "center"} if outside else {
+        "xy": (0.03, 0.92), "va": "top"}
     for panel, label, values in zip(panels, labels, columns):
-        panel.annotate(f"{label}\n$n$ = {len(values)}", (0.03, 0.92),
-                       xycoords="axes fraction", va="top", fontsize=8)
+        panel.annotate(f"{label}\n$n$ = {len(values)}", **where,
+                       xycoords="axes fraction", fontsize=8,
+                       annotation_clip=False)
 
 
 def bins_to_rows(quantity, values, edges, results):
@@ -62,7 +65,45 @@ def bins_to_rows(quantity, values, edges, results):
             zip(edges[:-1], edges[1:], counts, shares)]
 
 
-def figure_5_9(files, all_scenarios):
+def edges_of(values, step_of=20):
+    """Edges of some `step_of` bins of a round width that hold the values."""
+    values = np.asarray(values)
+    values = values[np.isfinite(values)]
+    low, high = ((float(values.min()), float(values.max())) if len(values)
+                 else (0.0, 1.0))
+    rough = max(high - low, 0.1) / step_of
+    power = 10.0 ** np.floor(np.log10(rough))
+    step = power * min(x for x in (1.0, 2.0, 5.0, 10.0)
+                       if x * power >= rough * (1 - 1e-9))
+    first, last = np.floor(low / step), np.floor(high / step) + 1
+    return step * np.arange(first, last + 1)
+
+
+def outcomes(panel, scenarios, labels, words):
+    """Shares of the outcomes of each scenario, one bar each. `words` says what
+    an outcome is called; None leaves it out where it never occurs. Returns rows
+    (outcome, label, count, share)."""
+    done, rows = np.zeros(len(scenarios)), []
+    for code, name in enumerate(scenarios[0].store.outcomes):
+        counts = np.array([(s["outcome"] == code).sum() for s in scenarios])
+        shares = 100.0 * counts / [max(1, len(s.ran.nonzero()[0]))
+                                   for s in scenarios]
+        text, colour = words.get(name, (name, look.ORANGE))
+        if name in ("stable", "initial failure", "flooding") or counts.any():
+            panel.barh(range(len(scenarios)), shares, left=done, color=colour,
+                       label=text, edgecolor="white", linewidth=0.5)
+        elif name != "numerical failure":
+            continue
+        done += shares
+        rows += [[name, label, int(count), share]
+                 for label, count, share in zip(labels, counts, shares)]
+    panel.set_yticks(range(len(labels)), labels)
+    panel.set_xlabel("share of all realisations (%)")
+    panel.grid(False)
+    return rows
+
+
+def figure_5_9(files, all_scenarios, thesis):
     scenarios = enough(all_scenarios)
     if not scenarios:
         return "no scale of fluctuation of 4 m or more"
@@ -89,7 +130,8 @@ def figure_5_9(files, all_scenarios):
     for panel, scale, height in zip(left, scales, heights):
         for mean, shape, where, lift, words in (
                 (mean_with_interval(height)[0], "^", 0.02, 14, "mean"),
-                (PRINTED_MEANS.get(scale), "v", 0.98, 0, "thesis")):
+                (PRINTED_MEANS.get(scale) if thesis else None, "v", 0.98, 0,
+                 "thesis")):
             if mean is not None and not np.isnan(mean):
                 panel.plot(mean, where, marker=shape, color="black",
                            markersize=6, clip_on=False, zorder=6,
@@ -104,36 +146,20 @@ def figure_5_9(files, all_scenarios):
     edges = np.arange(0.0, 12.51, 0.5)
     rows += bins_to_rows("residual_width", scales, edges,
                          bars(middle, widths, edges, colours))
-    middle[-1].set_xlabel("$W_r$ (m); grey: peaks of the thesis")
-    for panel in middle:
+    middle[-1].set_xlabel("$W_r$ (m)"
+                          + ("; grey: peaks of the thesis" if thesis else ""))
+    for panel in middle if thesis else ():
         for low, high in ((2, 3), (4, 8)):
             panel.axvspan(low, high, color=look.GREY, alpha=0.15, linewidth=0)
 
-    done = np.zeros(len(scenarios))
-    for code, words, colour in (
-            (campaign.STABLE, "stable (left out)", "#DDDDDD"),
-            (campaign.INITIAL_FAILURE, "in (a) and (b)", look.BLUE),
-            (campaign.FLOODING, "flooded (left out)", look.VERMILLION),
-            (campaign.NUMERICAL_FAILURE, "numerical failure", "black"),
-            (campaign.STILL_MOVING, "still moving", look.GREY),
-            (campaign.LOADS_CHANGE, "loads still change", look.GREY),
-            (campaign.STOPPED_BY_BOX, "stopped by the box", look.GREY)):
-        counts = np.array([(s["outcome"] == code).sum() for s in scenarios])
-        shares = 100.0 * counts / [max(1, len(s.ran.nonzero()[0]))
-                                   for s in scenarios]
-        if code > campaign.NUMERICAL_FAILURE and not counts.any():
-            continue
-        if code != campaign.NUMERICAL_FAILURE or counts.any():
-            counts_panel.barh(range(len(scenarios)), shares, left=done, color=colour,
-                         label=words, edgecolor="white", linewidth=0.5)
-        done += shares
-        rows += [["realisations: " + campaign.OUTCOMES[code], scale, "", "",
-                  int(count), share]
-                 for scale, count, share in zip(scales, counts, shares)]
-    counts_panel.set_yticks(range(len(scales)), [f"{s:g}" for s in scales])
+    rows += [["realisations: " + name, scale, "", "", count, share]
+             for name, scale, count, share in outcomes(
+                 counts_panel, scenarios, [f"{s:g}" for s in scales],
+                 {"stable": ("stable (left out)", "#DDDDDD"),
+                  "initial failure": ("in (a) and (b)", look.BLUE),
+                  "flooding": ("flooded (left out)", look.VERMILLION),
+                  "numerical failure": ("numerical failure", "black")})]
     counts_panel.set_ylabel(r"$\theta_h$ (m)")
-    counts_panel.set_xlabel("share of all realisations (%)")
-    counts_panel.grid(False)
     counts_panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.7 / tall),
                         ncol=2, columnspacing=1.0)
     files.save(figure, "figure_5_09", look.stores_of(scenarios),
@@ -162,8 +188,20 @@ def figure_5_10(files, all_scenarios):
     scenarios = enough(all_scenarios)
     if not scenarios:
         return "no scale of fluctuation of 4 m or more"
+    scales = ", ".join(f"{s.scale_x:g}" for s in scenarios)
+    return resistance(files, "figure_5_10", scenarios,
+                      np.arange(0.0, 13.01, 1.0),
+                      [f"scales of fluctuation together: {scales} m"])
+
+
+def resistance(files, name, scenarios, edges=None, notes=()):
+    """P(F|S1) by the width that the first slide left; all scenarios
+    together."""
     widths, flooded, without = first_widths(scenarios)
-    edges = np.arange(0.0, 13.01, 1.0)
+    if len(widths) == 0:
+        return "no initial failure"
+    if edges is None:
+        edges = edges_of(np.append(widths, 0.0), 10)
     figure, (panel,) = look.panels(1, 3.2, 5.2)
     panel.set_title("")
     rows = []
@@ -171,25 +209,25 @@ def figure_5_10(files, all_scenarios):
         inside = (widths >= low) & (widths < high)
         n, n_f = int(inside.sum()), int(flooded[inside].sum())
         estimate, lower, upper = proportion(n_f, n)
-        rows.append([low, high, n, n_f, estimate, lower, upper])
+        rows.append([low, high, n, n_f, estimate, lower, upper,
+                     kind(estimate)])
         if n == 0:
             continue
-        panel.bar(low, estimate, 1.0, align="edge", color=look.GREEN,
+        panel.bar(low, estimate, high - low, align="edge", color=look.GREEN,
                   alpha=0.75, edgecolor="white")
-        panel.vlines(low + 0.5, lower, upper, color="black", linewidth=1.0)
-        panel.annotate(f"{n_f}\nof {n}", (low + 0.5, 1.0), (0, 3),
+        panel.vlines(0.5 * (low + high), lower, upper, color="black",
+                     linewidth=1.0)
+        panel.annotate(f"{n_f}\nof {n}", (0.5 * (low + high), 1.0), (0, 3),
                        ha="center", textcoords="offset points", fontsize=7,
                        annotation_clip=False)
     panel.set_ylim(0.0, 1.0)
-    panel.set_xlim(0.0, edges[-1])
+    panel.set_xlim(edges[0], edges[-1])
     panel.set_xlabel("width after the initial failure, $W_{S_1}$ (m)")
     panel.set_ylabel("$P(F|S_1, W_{S_1})$")
-    scales = ", ".join(f"{s.scale_x:g}" for s in scenarios)
-    files.save(figure, "figure_5_10", look.stores_of(scenarios),
+    files.save(figure, name, look.stores_of(scenarios),
                ["width_low_m", "width_high_m", "n", "n_F", "P_F_given_S1",
-                "low", "high"], rows,
-               [f"scales of fluctuation together: {scales} m",
-                f"initial failures without a first slide: {without}"])
+                "low", "high", "kind"], rows,
+               [*notes, f"initial failures without a first slide: {without}"])
     return None
 
 

@@ -105,7 +105,8 @@ class Scenario:
 
 
 class Store:
-    """The folder of a campaign."""
+    """The folder of a campaign. `outcomes` are the names of its outcomes, by
+    number."""
 
     def __init__(self, folder):
         self.folder = folder
@@ -116,6 +117,10 @@ class Store:
         schema = int(self.file.attrs["schema_version"])
         if schema != 1:
             sys.exit(f"{path}: schema version {schema}; known: 1")
+        flags = self.file["outcome"].attrs.get("flag_meanings")
+        self.outcomes = (tuple(word.replace("_", " ")
+                               for word in text(flags).split())
+                         if flags is not None else OUTCOMES)
         self.scenarios = [Scenario(self, index)
                           for index in range(len(self.file["scenario_value"]))]
         self.check_report()

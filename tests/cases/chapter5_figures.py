@@ -187,6 +187,61 @@ def check_realisations(checks, folder):
                  (rows[0]["scenario"], rows[0]["realisation"]), ("2", "2"))
 
 
+def check_other_dyke(checks, source, folder, thesis):
+    """What the thesis prints is not drawn beside another dyke; figures of any
+    campaign have levels above datum."""
+    other = os.path.join(folder, "other")
+    shift = lambda i: {**i, "residual_height": i["residual_height"] - 6.0,
+                       "initial_height": -1.0}
+    write_store(other, [
+        {"value": str(level), "water_level": level, "crest_level": -1.0,
+         "realisations": {k: shift(v) for k, v in some.items()}}
+        for level, some in ((-1.25, BASE), (-3.0, FEW))],
+        swept="Water/Level", parameters=thesis.replace(
+            "Initial strength  = 13", "Initial strength  = 6.5"))
+    done = run(source, "chapter5.py", "--analysis3", other, "--output",
+               os.path.join(folder, "out4"))
+    checks.equal("another dyke: no star, and a line that says so",
+                 done.stderr.count("not a campaign of the thesis (Materials/"
+                                   "clay/Initial strength is 6.5, not 13): its "
+                                   "numbers are left out"), 1)
+    table = subprocess.run(
+        [sys.executable, os.path.join(source, "contrib", "plots",
+                                      "chapter5_table.py"),
+         "--analysis3", other], capture_output=True, text=True, check=False)
+    checks.equal("another dyke: no table", (table.returncode,
+                 "Initial strength is 6.5" in table.stderr), (1, True))
+
+    done = run(source, "campaign.py", other)
+    checks.equal("campaign.py: what is not drawn", done.stderr.strip(),
+                 "figure fragility is not drawn: needs report/fragility.csv "
+                 "with two water levels: waker merge")
+    figures = os.path.join(other, "figures")
+    names = sorted(os.path.splitext(name)[0] for name in os.listdir(figures)
+                   if name.endswith(".png"))
+    checks.equal("campaign.py: figures", names,
+                 ["convergence_0", "convergence_1", "outcomes",
+                  "probabilities", "probability_time", "residual_height",
+                  "residual_width", "resistance_width"])
+    rows, _ = read(figures, "probabilities")
+    row = only(rows, water_level_m="-1.25", quantity="S1")
+    checks.equal("campaign.py: P(S1) at -1.25 m",
+                 (row["count"], row["n"], row["kind"]), ("5", "10", "estimate"))
+    row = only(rows, water_level_m="-3", quantity="F")
+    checks.equal("campaign.py: none flooded at -3 m is a bound",
+                 (row["estimate"], row["kind"]), ("0", "upper bound"))
+    rows, _ = read(figures, "residual_height")
+    full = [row for row in pick(rows, water_level_m="-1.25")
+            if number(row, "count") > 0]
+    checks.equal("campaign.py: heights are above datum",
+                 [(row["low"], row["count"]) for row in full],
+                 [("-1.2", "1"), ("-1.1", "1"), ("-1", "1")])
+    rows, _ = read(figures, "outcomes")
+    checks.equal("campaign.py: numerical failures", only(
+        rows, outcome="numerical failure", water_level_m="-1.25")["count"],
+                 "1")
+
+
 def check_export(checks, source, folder):
     path = os.path.join(folder, "new", "folder", "outcomes.csv")
     run(source, "export_outcomes.py", os.path.join(folder, "analysis1"), path)
@@ -249,7 +304,11 @@ def check_table(checks, source, folder, analyses):
                    "<!-- end comparison -->\nbetween\n"
                    "<!-- begin campaigns -->\n<!-- end campaigns -->\nafter\n")
     points = os.path.join(folder, "points")
-    write_store(points, [{"hash": "c", "realisations": ONE_OF_FOUR}], machines=[
+    with open(os.path.join(folder, "analysis1", "parameters.prm"),
+              encoding="utf-8") as file:
+        thesis = file.read()
+    write_store(points, [{"hash": "c", "realisations": ONE_OF_FOUR}],
+                parameters=thesis, machines=[
         {"host": "node7", "processor": "P 1", "cores": 8, "version": "0.0.0",
          "compiler": "c++", "build_flags": "Fast", "journals": 1,
          "start": "2025-01-31T12:00:00Z", "realisations": 4,
@@ -284,23 +343,29 @@ def main():
     source, checks = os.path.abspath(sys.argv[2]), Checks()
     with tempfile.TemporaryDirectory(prefix="waker-") as folder:
         path = lambda name: os.path.join(folder, name)
-        write_store(path("analysis1"), [{"hash": "b", "realisations": BASE}])
+        with open(os.path.join(source, "parameters", "chapter5",
+                               "analysis1.prm"), encoding="utf-8") as file:
+            thesis = file.read()
+        write_store(path("analysis1"), [{"hash": "b", "realisations": BASE}],
+                    parameters=thesis)
         write_store(path("analysis2"), [
             {"value": "48", "scale_x": 48.0, "realisations": ONE_OF_FOUR},
             {"value": "2", "scale_x": 2.0, "realisations": FEW},
             {"value": "24", "scale_x": 24.0, "hash": "b",
              "realisations": {i: BASE[i] for i in (0, 1)}}],
-            swept="Random fields/strength/Scales of fluctuation")
+            swept="Random fields/strength/Scales of fluctuation",
+            parameters=thesis)
         write_store(path("analysis3"), [
             {"value": "4.75", "water_level": 4.75, "realisations": ONE_OF_FOUR},
             {"value": "4", "water_level": 4.0, "realisations": ONE_OF_FOUR},
             {"value": "3", "water_level": 3.0, "realisations": OUTWARDS}],
-            swept="Water/Level")
+            swept="Water/Level", parameters=thesis)
         analyses = [word for n in (1, 2, 3)
                     for word in (f"--analysis{n}", path(f"analysis{n}"))]
 
         write_store(path("base_points"),
-                    [{"hash": "c", "realisations": ONE_OF_FOUR}])
+                    [{"hash": "c", "realisations": ONE_OF_FOUR}],
+                    parameters=thesis)
         done = run(source, "chapter5.py", *analyses, "--analysis1-points",
                    path("base_points"), "--output", path("out"),
                    "--waker", os.path.join(os.path.dirname(
@@ -315,6 +380,8 @@ def main():
         check_probabilities(checks, path("out"))
         check_geometry(checks, path("out"))
         check_realisations(checks, path("out"))
+
+        check_other_dyke(checks, source, folder, thesis)
 
         # A report that counts otherwise is noticed; what is missing is said.
         os.makedirs(path("analysis3/report"))
