@@ -276,7 +276,7 @@ TEST(Histograms, classes_add_up)
                                                   {},
                                                   {{2, 3, 6.4, 5, false}}};
   std::uint64_t                         n      = 0;
-  for (const ClassCount &c : count_classes(records, slides))
+  for (const ClassCount &c : count_classes(records, slides, 0.))
     {
       n += c.share.count;
       EXPECT_EQ(c.share.n, 4U);
