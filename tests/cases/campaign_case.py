@@ -144,9 +144,11 @@ def finish(process, code=0):
 
 class Checks:
     def __init__(self):
+        self.made = 0
         self.failed = 0
 
     def __call__(self, good, what, obtained=""):
+        self.made += 1
         self.failed += not good
         print(f"{'ok  ' if good else 'FAIL'} {what}"
               f"{': ' if obtained != '' else ''}{obtained}", flush=True)
@@ -176,4 +178,6 @@ class Checks:
              + " | ".join(error)[:300])
 
     def exit(self):
+        if self.made == 0:
+            sys.exit("nothing was checked")
         sys.exit(1 if self.failed else 0)

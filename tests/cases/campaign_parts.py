@@ -26,10 +26,10 @@ def main():
 
         whole = campaign("whole")
         process = whole.start()
-        if whole.wait_for_records(process, 2):
-            text = whole.call("status")
-            check(f"of {n}" in text, "status while it runs",
-                  text.strip().split("\n")[0])
+        check(whole.wait_for_records(process, 2), "it runs for a while")
+        text = whole.call("status")
+        check(f"of {n}" in text and process.poll() is None,
+              "status while it runs", text.strip().split("\n")[0])
         finish(process)
         check.once_each("one process", whole, n)
         check(f"{n} of {n}" in whole.call("status"), "status afterwards")

@@ -56,9 +56,11 @@ def main(waker, source):
                           Kinematics_and_mapping={"Functions": "linear"})
     check("GIMP: error of the stress, rms", gimp.error(), 0, 0.02)
     check("GIMP: largest error of the stress", gimp.largest_error(), 0, 0.02)
-    check("linear functions: error of the stress, rms", linear.error(), 0.2, 9)
+    # 0.39 and 1.05: cells are crossed, or the two checks above prove nothing.
+    check("linear functions: error of the stress, rms", linear.error(), 0.3,
+          0.5)
     check("linear functions: largest error of the stress",
-          linear.largest_error(), 0.5, 9)
+          linear.largest_error(), 0.8, 1.3)
     check.exit()
 
 

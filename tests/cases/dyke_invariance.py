@@ -47,13 +47,17 @@ def width_difference(run, other, until):
 def compare(checks, name, base, other, cell):
     difference = width_difference(base, other,
                                   0.9 * base["initial_failure_time"])
+    # Only a shift changes the points: by up to 4 % in the times. Half the time
+    # step and a tenth of the tolerance change them by 0.7 %, W by 6 mm.
+    shifted = name.startswith("shifted")
+    times = 0.05 if shifted else 0.015
     checks.below(f"{name}: W before failure differs by", difference,
-                 DETECTION * cell, "m")
+                 DETECTION * cell if shifted else 0.02, "m")
     ratios = {}
     for key in ("initial_failure_time", "flooding_time"):
         ratios[key] = (other[key] or 0) / base[key]
-        checks.between(f"{name}: {key} / that of the dyke", ratios[key], 0.95,
-                       1.05)
+        checks.between(f"{name}: {key} / that of the dyke", ratios[key],
+                       1 - times, 1 + times)
     return difference, ratios
 
 
@@ -72,8 +76,9 @@ def check_mirrored(checks, work, settings):
         a, b = (run.value(column, runs[0].statistics["Time (s)"])
                 for run in runs)
         worst = max(worst, np.abs(a - b).max() / np.abs(a).max())
+    # 3e-15 today: round-off, and what it grows to.
     checks.below("mirrored, tolerance 1e-8: W, H and energies up to flooding "
-                 "differ by", worst, 1e-7, "of their largest values")
+                 "differ by", worst, 1e-9, "of their largest values")
 
 
 def main():

@@ -22,12 +22,20 @@ def main():
         checks.below("c = 8 kPa: change of W",
                      abs(stands["residual_width"] - stands["initial_width"]),
                      0.3, "m")
+        checks.below("  as before: 0.08 m",
+                     abs(stands["residual_width"] - stands["initial_width"]),
+                     0.15, "m")
         slides = work.run("slides", CASE, {"Output/Interval": 0})
         checks.equal("c = 7 kPa: outcome", slides["outcome"],
                      "initial failure")
         checks.above("c = 7 kPa: W drops by",
                      slides["initial_width"] - slides["residual_width"], 1,
                      "m")
+        checks.between("  as before: at 2.01 s", slides["initial_failure_time"],
+                       1.95, 2.1, "s")
+        checks.between("  as before: 1.34 m",
+                       slides["initial_width"] - slides["residual_width"], 1.2,
+                       1.5, "m")
     checks.finish()
 
 

@@ -21,6 +21,7 @@ def check_face(checks, name, run):
                  "as a share of that inside", face.first / face.deepest, 1)
     checks.below(f"{name}: |p| of the outer face / that of the gravity state",
                  face.growth, 1.5)
+    checks.below("  as before: 1.00 and 1.02", face.growth, 1.1)
     checks.equal(f"{name}: points of the outer face that yield", face.yielded,
                  0)
     print(f"       largest |p| of the face: {face.first:.1f} kPa at the start, "

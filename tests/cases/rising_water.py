@@ -30,7 +30,7 @@ def water_weight(level):
     return GAMMA * 16 * np.maximum(level - ground(x), 0).mean()
 
 
-def test(check, name, data, tolerance):
+def test(check, name, data, tolerance, rise_tolerance):
     level = np.interp(data["Time (s)"], [0, 20], [3, 8])
     reaction = data["Reaction y (kN)"][1:]
     expected = WEIGHT + np.array([water_weight(h) for h in level[1:]])
@@ -42,7 +42,7 @@ def test(check, name, data, tolerance):
           1 - tolerance, 1 + tolerance)
     check(f"{name}: rise of the reaction / of the water's weight",
           (reaction[-1] - reaction[0]) / (expected[-1] - expected[0]),
-          1 - 5 * tolerance, 1 + 5 * tolerance)
+          1 - rise_tolerance, 1 + rise_tolerance)
 
     elastic = data["Elastic energy (kJ)"]
     stored = (elastic[-1] - elastic[0] + data["Kinetic energy (kJ)"][-1]
@@ -54,7 +54,7 @@ def test(check, name, data, tolerance):
     scale = data["Work of the water (kJ)"][-1]
     print(f"{name}: work {work:.5f}, stored {stored:.5f}, lost {loss:.5f} kJ/m")
     check(f"{name}: (work - stored - lost) / work of the water",
-          (work - stored - loss) / scale, -1e-3, 1e-3)
+          (work - stored - loss) / scale, -6e-4, 6e-4)
     return work, stored, loss, scale
 
 
@@ -65,13 +65,14 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         run(waker, case, os.path.join(folder, "a"))
         work, stored, loss, scale = test(
-            check, "quasi-static", statistics(os.path.join(folder, "a")), 0.001)
+            check, "quasi-static", statistics(os.path.join(folder, "a")), 0.001,
+            0.005)
         check("quasi-static: lost / work of the water", loss / scale,
               -1e-3, 1e-3)
         run(waker, case, os.path.join(folder, "b"),
             Time_stepping={"Scheme": "Newmark", "Time step": 0.02})
         work_2, _, _, _ = test(
-            check, "Newmark", statistics(os.path.join(folder, "b")), 0.01)
+            check, "Newmark", statistics(os.path.join(folder, "b")), 0.01, 0.015)
         check("Newmark: work / that of the quasi-static run",
               work_2 / work, 0.99, 1.01)
     check.exit()

@@ -23,6 +23,7 @@ def run(waker, case, directory, **sections):
     environment = dict(os.environ, OMPI_MCA_ess_singleton_isolated="1")
     done = subprocess.run(command, env=environment, stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT, text=True, check=False)
+    # 3: a step did not converge.
     if done.returncode != 0:
         sys.exit(" ".join(command) + "\n" + done.stdout)
 
@@ -51,13 +52,17 @@ class Check:
     """Prints each number with its limits; exit code 1 if one is outside."""
 
     def __init__(self):
+        self.made = 0
         self.failed = 0
 
     def __call__(self, what, value, low, high):
         good = low <= value <= high
+        self.made += 1
         self.failed += not good
         print(f"{'ok  ' if good else 'FAIL'} {what}: {value:.6g}"
               f" (from {low:.6g} to {high:.6g})")
 
     def exit(self):
+        if self.made == 0:
+            sys.exit("nothing was checked")
         sys.exit(1 if self.failed else 0)

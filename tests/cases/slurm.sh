@@ -229,6 +229,8 @@ if srun --mpi=list 2>&1 | grep -q pmix; then
   "$WAKER" merge mpi >> one.log 2>&1 || give_up "merging the MPI job"
   same "$source/tests/cases" "$WAKER" 'MPI, requeued' one mpi ||
     failures=$((failures + 1))
+else
+  echo "not run: this Slurm has no PMIx, and so no MPI job"
 fi
 
 [ $failures -eq 0 ] || { tail -n 20 waker-*.log; exit 1; }

@@ -115,6 +115,7 @@ class Workspace:
         environment = dict(os.environ, OMPI_MCA_ess_singleton_isolated="1")
         done = subprocess.run(arguments, capture_output=True, text=True,
                               env=environment, check=False)
+        # 3: a step did not converge.
         if done.returncode != 0:
             sys.exit(f"{' '.join(arguments)}\nended with "
                      f"{done.returncode}:\n{done.stdout}{done.stderr}")
@@ -136,9 +137,11 @@ class Checks:
     """Compares numbers with what is expected, and prints both."""
 
     def __init__(self):
+        self.made = 0
         self.failed = 0
 
     def _print(self, good, what, expected, obtained):
+        self.made += 1
         self.failed += not good
         print(f"{'ok  ' if good else 'FAIL'} | {what} | {expected} | "
               f"{obtained}", flush=True)
@@ -162,6 +165,8 @@ class Checks:
         self._print(value == expected, what, expected, value)
 
     def finish(self):
+        if self.made == 0:
+            sys.exit("nothing was checked")
         sys.exit(1 if self.failed else 0)
 
 

@@ -3,6 +3,7 @@
 #include <waker/base/log.h>
 
 #include "output_temporary_folder.h"
+#include "user_errors.h"
 #include <gtest/gtest.h>
 #include <sstream>
 
@@ -27,8 +28,9 @@ namespace Waker
     quiet.progress(0.5, "t = 1 s");
     quiet.end_progress();
     EXPECT_EQ(get(folder.file("log.txt")), "first\nresumed\n");
-    EXPECT_THROW(quiet.open_file(folder.file("none/log.txt"), false),
-                 UserError);
+    EXPECT_USER_ERROR(quiet.open_file(folder.file("none/log.txt"), false),
+                      "Output/Directory",
+                      folder.file("none/log.txt"));
   }
 
 

@@ -3,6 +3,7 @@
 #include <waker/base/errors.h>
 #include <waker/base/text.h>
 
+#include "user_errors.h"
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -25,7 +26,7 @@ namespace
   {
     EXPECT_NO_THROW(require_positive("A/B", 1e-300));
     for (const double value : {0., -1., std::nan("")})
-      EXPECT_THROW(require_positive("A/B", value), UserError);
+      EXPECT_USER_ERROR(require_positive("A/B", value), "A/B", "is ");
     try
       {
         require_positive("A/B", -2.5, "kPa");

@@ -4,6 +4,7 @@
 #include <waker/mapping/stencil.h>
 
 #include "mapping_lattice.h"
+#include "user_errors.h"
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -128,6 +129,7 @@ TEST(Boundary, load_on_the_contour_is_the_internal_force)
       Facets<2> facets;
       contour.detect(points, facets);
       ASSERT_NEAR(enclosed_volume(facets), volume, 1e-12);
+      ASSERT_GT(volume, 1.);
       const std::vector<Tensor<1, 2>> external = nodal_areas(grid, facets);
       for (unsigned int i = 0; i < grid.n_nodes(); ++i)
         ASSERT_LT((internal[i] - external[i]).norm(), 1e-13);
@@ -197,10 +199,14 @@ TEST(Boundary, contour_refuses_gaps_as_large_as_a_domain)
   const auto        grid = Lattice::grid<2>(1., h);
   SurfaceParameters parameters;
   parameters.minimum_gap_width = 1.;
-  EXPECT_THROW(DomainContour<2>(grid, parameters, 0), UserError);
+  EXPECT_USER_ERROR(DomainContour<2>(grid, parameters, 0),
+                    "Surface/Minimum gap width",
+                    "1.000000: gaps as large");
   parameters.minimum_gap_width  = 0.99;
   parameters.minimum_gap_height = 1.5;
-  EXPECT_THROW(DomainContour<2>(grid, parameters, 0), UserError);
+  EXPECT_USER_ERROR(DomainContour<2>(grid, parameters, 0),
+                    "Surface/Minimum gap height",
+                    "1.500000: gaps as large");
   parameters.minimum_gap_height = 0.;
   EXPECT_NO_THROW(DomainContour<2>(grid, parameters, 0));
 }

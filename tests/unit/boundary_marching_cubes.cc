@@ -103,7 +103,7 @@ TEST(Boundary, marching_cubes_is_closed_and_oriented)
   const Coordinates x = lattice({{12, 11, 10}}, 0.5, Point<3>(-1, 2, 0));
   std::mt19937      random(5);
   std::uniform_real_distribution<double> uniform(0., 1.);
-  std::size_t                            n_triangles = 0;
+  std::size_t                            n_triangles = 0, n_closed = 0;
   for (int k = 0; k < 200; ++k)
     {
       const double       share  = uniform(random);
@@ -130,6 +130,7 @@ TEST(Boundary, marching_cubes_is_closed_and_oriented)
             const unsigned int d    = facet.on_face / 2;
             const bool         up   = facet.on_face % 2 == 1;
             const double       wall = up ? x[d].back() : x[d].front();
+            ++n_closed;
             ASSERT_TRUE(closed >> facet.on_face & 1u);
             for (const Point<3> &v : facet.vertices)
               ASSERT_NEAR(v[d], wall, 1e-14);
@@ -137,6 +138,7 @@ TEST(Boundary, marching_cubes_is_closed_and_oriented)
           }
     }
   EXPECT_GT(n_triangles, 100000u);
+  EXPECT_GT(n_closed, 1000u);
 }
 
 

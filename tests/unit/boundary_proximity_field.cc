@@ -380,6 +380,10 @@ TEST(Boundary, parameters_of_the_surface_are_read)
   EXPECT_EQ(parameters.kernel_radius, 1.5);
   EXPECT_EQ(parameters.threshold, 0.4);
   EXPECT_FALSE(parameters.mirror);
-  EXPECT_ANY_THROW(prm.parse_input_from_string("set Kernel radius = 3\n"));
-  EXPECT_ANY_THROW(prm.parse_input_from_string("set Threshold = 0\n"));
+  using WrongValue = ParameterHandler::ExcValueDoesNotMatchPattern;
+  EXPECT_THROW(prm.parse_input_from_string("set Kernel radius = 3\n"),
+               WrongValue);
+  EXPECT_THROW(prm.parse_input_from_string("set Threshold = 0\n"), WrongValue);
+  EXPECT_EQ(parameters.kernel_radius, 1.5);
+  EXPECT_EQ(parameters.threshold, 0.4);
 }

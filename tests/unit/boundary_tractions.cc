@@ -2,6 +2,7 @@
 #include <waker/base/errors.h>
 
 #include "loaded_bar.h"
+#include "user_errors.h"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <random>
@@ -349,8 +350,12 @@ TEST(Boundary, point_loads_ride_on_the_points)
   EXPECT_NEAR(moment, 6. * 2.8 - 2. * 4.05 - 3. * 0.25, 1e-12);
 
   bar.parameters.point_loads[1].from = {5., 0.};
-  EXPECT_THROW(Case<2>(bar.parameters, MPI_COMM_SELF), UserError);
-  EXPECT_THROW(tip.check(3), UserError);
+  EXPECT_USER_ERROR(Case<2>(bar.parameters, MPI_COMM_SELF),
+                    "Point loads/whole/From",
+                    "no point in the box");
+  EXPECT_USER_ERROR(tip.check(3), "Point loads/tip/From", "has 2 numbers");
   whole.to = {1., -1.};
-  EXPECT_THROW(whole.check(2), UserError);
+  EXPECT_USER_ERROR(whole.check(2),
+                    "Point loads/whole/To",
+                    "below From in direction y");
 }

@@ -3,6 +3,7 @@
 #include <waker/boundary/user_surface.h>
 
 #include "output_temporary_folder.h"
+#include "user_errors.h"
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -201,9 +202,12 @@ TEST(Boundary, user_surface_is_refused_in_two_dimensions)
     refuses<2>(std::string(square) + "\n3 3\n5 3\n5 5\n3 5\n3 3\n", "crosses"));
   EXPECT_TRUE(
     refuses<2>(std::string(square) + "\n4 2\n5 2\n5 3\n4 3\n4 2\n", "crosses"));
-  EXPECT_THROW(read_user_surface<2>("/no/such/file", "a", grid<2>()),
-               UserError);
-  EXPECT_THROW(read_user_surface<2>("/", "a", grid<2>()), UserError);
+  EXPECT_USER_ERROR(read_user_surface<2>("/no/such/file", "a", grid<2>()),
+                    "a",
+                    "\"/no/such/file\" cannot be read: No such file");
+  EXPECT_USER_ERROR(read_user_surface<2>("/", "a", grid<2>()),
+                    "a",
+                    "\"/\" cannot be read");
 }
 
 

@@ -5,6 +5,7 @@
 #include <waker/mapping/transfer.h>
 
 #include "mapping_lattice.h"
+#include "user_errors.h"
 #include <algorithm>
 #include <gtest/gtest.h>
 
@@ -333,8 +334,15 @@ TEST(BoundaryWall, BadInput)
   parameters.penalty_factor = 0.;
   EXPECT_EQ(problem(parameters), "Walls/wall/Penalty factor");
 
-  EXPECT_THROW(make_wall_spots<3>("0,0,0; 1,0,0; 1,1,0; 0,1,0.1", 0.1, ""),
-               UserError); // not flat
-  EXPECT_THROW(make_wall_spots<3>("0,0,0; 1,1,0; 1,0,0; 0,1,0", 0.1, ""),
-               UserError); // crosses itself
+  EXPECT_USER_ERROR(make_wall_spots<3>("0,0,0; 1,0,0; 1,1,0; 0,1,0.1",
+                                       0.1,
+                                       "L"),
+                    "L",
+                    "off the plane of the others");
+  EXPECT_USER_ERROR(make_wall_spots<3>("0,0,0; 2,2,0; 2,0,0; 0,1,0", 0.1, "L"),
+                    "L",
+                    "cross or touch");
+  EXPECT_USER_ERROR(make_wall_spots<3>("0,0,0; 1,1,0; 1,0,0; 0,1,0", 0.1, "L"),
+                    "L",
+                    "no area"); // both halves cancel
 }

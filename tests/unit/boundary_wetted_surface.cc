@@ -166,6 +166,10 @@ TEST(Boundary, parameters_of_the_water_are_read)
   EXPECT_EQ(parameters.level, -1.5);
   EXPECT_EQ(parameters.unit_weight, 9.81);
   EXPECT_EQ(parameters.minimum_support, 0.02);
-  EXPECT_ANY_THROW(prm.parse_input_from_string("set Side = up\n"));
-  EXPECT_ANY_THROW(prm.parse_input_from_string("set Unit weight = -1\n"));
+  using WrongValue = ParameterHandler::ExcValueDoesNotMatchPattern;
+  EXPECT_THROW(prm.parse_input_from_string("set Side = up\n"), WrongValue);
+  EXPECT_THROW(prm.parse_input_from_string("set Unit weight = -1\n"),
+               WrongValue);
+  EXPECT_EQ(parameters.side, "right");
+  EXPECT_EQ(parameters.unit_weight, 9.81);
 }

@@ -4,6 +4,7 @@
 #include <waker/fields/covariance_factor.h>
 
 #include "linear_map.h"
+#include "user_errors.h"
 #include <array>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -100,9 +101,13 @@ TEST(Fields, no_covariance_is_factorised_that_is_none)
   Eigen::MatrixXd C = Eigen::MatrixXd::Identity(3, 3);
   C(0, 1) = C(1, 0) = C(1, 2) = C(2, 1) = 0.9;
   C(0, 2) = C(2, 0) = -0.9;
-  EXPECT_THROW(covariance_factor(C, "Random fields/strength"), UserError);
+  EXPECT_USER_ERROR(covariance_factor(C, "Random fields/strength"),
+                    "Random fields/strength/Generator",
+                    "the covariance of 3 cells is not positive semidefinite");
   C(0, 0) = std::nan("");
-  EXPECT_THROW(covariance_factor(C, "Random fields/strength"), UserError);
+  EXPECT_USER_ERROR(covariance_factor(C, "Random fields/strength"),
+                    "Random fields/strength/Generator",
+                    "the covariance of 3 cells is not positive semidefinite");
 
   // Singular, but a covariance: two numbers that are the same.
   C                       = Eigen::MatrixXd::Ones(2, 2);

@@ -3,6 +3,7 @@
 #include <waker/base/random_numbers.h>
 #include <waker/fields/circulant_embedding.h>
 
+#include "user_errors.h"
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -158,11 +159,13 @@ namespace
                   std::string::npos);
       }
     // And where the smallest torus is too large already.
-    EXPECT_THROW(CirculantEmbedding(cells,
-                                    Correlation(Function::markov, {1., 1.}),
-                                    "test",
-                                    1000),
-                 UserError);
+    EXPECT_USER_ERROR(CirculantEmbedding(cells,
+                                         Correlation(Function::markov,
+                                                     {1., 1.}),
+                                         "test",
+                                         1000),
+                      "test/Generator",
+                      "needs a torus of 80 x 80");
   }
 
 

@@ -2,6 +2,7 @@
 #include <waker/base/errors.h>
 #include <waker/fields/correlation.h>
 
+#include "user_errors.h"
 #include <array>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
@@ -243,6 +244,8 @@ namespace
     EXPECT_EQ(Correlation::function("separable Markov"),
               Function::separable_markov);
     EXPECT_EQ(Correlation::function("Gaussian"), Function::gaussian);
-    EXPECT_THROW(Correlation::function("markov"), UserError);
+    EXPECT_USER_ERROR(Correlation::function("markov"),
+                      "Correlation",
+                      "is 'markov'");
   }
 } // namespace

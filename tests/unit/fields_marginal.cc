@@ -3,6 +3,7 @@
 #include <waker/base/random_numbers.h>
 #include <waker/fields/marginal.h>
 
+#include "user_errors.h"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
@@ -252,6 +253,6 @@ namespace
     EXPECT_EQ(Marginal::kind("lognormal"), Kind::lognormal);
     EXPECT_EQ(Marginal::kind("truncated normal"), Kind::truncated_normal);
     EXPECT_EQ(Marginal::kind("beta"), Kind::beta);
-    EXPECT_THROW(Marginal::kind("gamma"), UserError);
+    EXPECT_USER_ERROR(Marginal::kind("gamma"), "Distribution", "is 'gamma'");
   }
 } // namespace

@@ -2,8 +2,8 @@
 #include <waker/base/errors.h>
 #include <waker/fields/measurements.h>
 
-#include <cstdio>
-#include <fstream>
+#include "output_temporary_folder.h"
+#include "user_errors.h"
 #include <gtest/gtest.h>
 #include <string>
 
@@ -16,16 +16,15 @@ namespace
   {
   public:
     explicit File(const std::string &content)
-      : name(::testing::TempDir() +
-             ::testing::UnitTest::GetInstance()->current_test_info()->name() +
-             "_measurements.csv")
+      : name(folder.file("measurements.csv"))
     {
-      std::ofstream(name, std::ios::binary) << content;
+      put(name, content);
     }
-    ~File()
-    {
-      std::remove(name.c_str());
-    }
+
+  private:
+    const TemporaryFolder folder;
+
+  public:
     const std::string name;
   };
 
@@ -96,5 +95,7 @@ TEST(Fields, errors_in_measurements_name_the_line)
   expect("0, 1.9, 5\n", ":1: y = 1.9 m is outside");
   expect("4.1, 2.1, 5\n", "allowed: -1 to 4 m");
   expect("# nothing\n", "no measurements");
-  EXPECT_THROW(read_measurements("/nowhere/at all.csv", small), UserError);
+  EXPECT_USER_ERROR(read_measurements("/nowhere/at all.csv", small),
+                    "/nowhere/at all.csv",
+                    "cannot be read");
 }

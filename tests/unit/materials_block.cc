@@ -34,7 +34,7 @@ namespace
           random.stress<3>(l % 3 == 0 ? 0.003 : (l % 3 == 1 ? 0.03 : 0.2));
         stress[l] = random.stress<3>(4.) - 30. * unit_symmetric_tensor<3>();
         const double start[3] = {random(5., 13.),
-                                 l % 4 == 0 ? 0. : 5.,
+                                 l % 4 == 0 ? 0. : (l % 7 == 5 ? 9. : 5.),
                                  random(0., 0.1)};
         for (unsigned int v = 0; v < n_variables; ++v)
           variables[v][l] = l % 5 == 0 && v == 0 ? 5. : start[v];
@@ -78,6 +78,35 @@ TEST(Materials, a_block_is_updated_as_its_points)
         check_block(perfect, n, random);
         check_block(rubber, n, random);
       }
+}
+
+
+TEST(Materials, a_point_weaker_than_its_residual_strength_keeps_its_own)
+{
+  // A random field may give a point less than its residual strength.
+  const VonMisesSoftening clay(1.5, 1000., 0.45, 13., 5., -50.);
+  const VonMisesSoftening perfect(1.5, 1000., 0.45, 3., 3., 0.);
+  Lattice::Random         random(133);
+  for (unsigned int n = 0; n < 50; ++n)
+    {
+      const auto strain = random.stress<3>(0.05);
+      const auto start =
+        random.stress<3>(1.) - 30. * unit_symmetric_tensor<3>();
+      auto   weak = start, expected = start;
+      double of_weak[3] = {3., 5., 0.}, of_perfect[3] = {3., 3., 0.};
+      SymmetricTensor<4, 3> tangent, expected_tangent;
+      const double energy = clay.update(strain, weak, of_weak, &tangent);
+      EXPECT_NEAR(
+        energy,
+        perfect.update(strain, expected, of_perfect, &expected_tangent),
+        1e-13);
+      EXPECT_GT(energy, 0.);
+      EXPECT_EQ(of_weak[0], 3.);
+      EXPECT_EQ(of_weak[1], 5.);
+      EXPECT_NEAR(of_weak[2], of_perfect[2], 1e-15);
+      EXPECT_LT((weak - expected).norm(), 1e-12);
+      EXPECT_LT((tangent - expected_tangent).norm(), 1e-9);
+    }
 }
 
 

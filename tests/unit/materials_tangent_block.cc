@@ -31,7 +31,9 @@ namespace
         const auto strain =
           random.stress<3>(l % 3 == 0 ? 0.003 : (l % 3 == 1 ? 0.03 : 0.2));
         auto   stress = random.stress<3>(4.) - 30. * unit_symmetric_tensor<3>();
-        double own[3] = {random(5., 13.), l % 4 == 0 ? 0. : 5., 0.1};
+        double own[3] = {random(5., 13.),
+                         l % 4 == 0 ? 0. : (l % 7 == 5 ? 9. : 5.),
+                         0.1};
         for (unsigned int v = 0; v < 3; ++v)
           variables[v][l] = own[v];
         for (unsigned int a = 0; a < 6; ++a)

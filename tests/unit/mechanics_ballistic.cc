@@ -3,6 +3,8 @@
 
 #include "mapping_lattice.h"
 #include "verification_data.h"
+#include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <iomanip>
 #include <sstream>
@@ -196,6 +198,8 @@ namespace
         worst = std::max(worst, rest.norm() / weight);
       }
     EXPECT_LT(worst, 1e-9) << scheme;
+    EXPECT_GE(state.step, 5u);
+    EXPECT_EQ(state.unconverged_steps, 0u);
     double moved = 0.;
     for (unsigned int q = 0; q < state.points.n_points(); ++q)
       moved = std::max(
@@ -224,6 +228,62 @@ TEST(Mechanics, a_block_flies_on_the_exact_parabola)
       check_flight<3>("Newmark", functions, 9.81, true);
       check_flight<2>("Newmark", functions, 9.81, false);
     }
+}
+
+
+TEST(Mechanics, the_ramp_lets_weight_come_linearly)
+{
+  for (const std::string scheme : {"Newmark", "explicit"})
+    {
+      const bool is_explicit    = scheme == "explicit";
+      Parameters p              = flight(Tensor<1, 2>());
+      p.time.scheme             = scheme;
+      p.time.ramp_duration      = 0.2;
+      p.newton.tolerance        = 1e-13;
+      p.newton.linear_tolerance = 1e-13;
+      const Case<2>  the_case(p, MPI_COMM_SELF);
+      State<2>       state = initial_state(the_case);
+      Realisation<2> fall(the_case, state);
+      double         a = 0., v = 0., y = 0., worst = 0.;
+      while (fall.look() == StopReason::none)
+        {
+          const double before = state.time;
+          fall.advance();
+          const double dt    = state.time - before;
+          const double new_a = -9.81 * std::min(1., state.time / 0.2);
+          const double new_v = v + dt * (is_explicit ? new_a : (a + new_a) / 2);
+          y += dt * (is_explicit ? new_v : (v + new_v) / 2);
+          a = new_a;
+          v = new_v;
+          for (unsigned int q = 0; q < state.points.n_points(); ++q)
+            worst = std::max({worst,
+                              std::abs(state.points.velocity[q][1] - v),
+                              std::abs(state.points.position[q][1] - y -
+                                       state.points.initial_position[q][1])});
+        }
+      EXPECT_LT(worst, 1e-10) << scheme;
+      EXPECT_LT(v, -3.5); // most of the fall is behind the ramp
+    }
+}
+
+
+TEST(Mechanics, an_explicit_step_is_a_share_of_a_cell_at_the_speed_of_waves)
+{
+  // c = sqrt(E (1 - nu) / ((1 + nu) (1 - 2 nu) rho)); the block moves at 5 m/s.
+  Parameters p                = flight(Tensor<1, 2>({3., 4.}));
+  p.time.scheme               = "explicit";
+  p.time.courant_number       = 0.4;
+  const MaterialParameters &m = p.materials[0];
+  const double              E = m.youngs_modulus, nu = m.poissons_ratio;
+  const double   c = std::sqrt(E * (1. - nu) / ((1. + nu) * (1. - 2. * nu)) /
+                             (m.unit_weight / 9.81));
+  const Case<2>  the_case(p, MPI_COMM_SELF);
+  State<2>       state = initial_state(the_case);
+  Realisation<2> realisation(the_case, state);
+  realisation.look();
+  realisation.advance();
+  EXPECT_GT(c, 10.);
+  EXPECT_NEAR(state.time, 0.4 * 0.25 / (c + 5.), 1e-12);
 }
 
 

@@ -122,7 +122,7 @@ namespace
     // objective rate the balance is exact.
     EXPECT_NEAR(at_once.account.elastic,
                 at_once.account.gravity_work,
-                1e-3 * at_once.account.elastic);
+                1e-6 * at_once.account.elastic);
     EXPECT_NEAR(stepwise.account.elastic,
                 at_once.account.elastic,
                 1e-6 * at_once.account.elastic);

@@ -7,6 +7,7 @@
 
 #include "output_temporary_folder.h"
 #include "processes.h"
+#include "user_errors.h"
 #include <cerrno>
 #include <gtest/gtest.h>
 #include <limits>
@@ -71,10 +72,16 @@ namespace Waker
   TEST(Output, folder_that_cannot_be_made_is_the_users_matter)
   {
     // Not even root can make a folder there.
-    EXPECT_THROW(prepare_output_folder("/proc/waker",
-                                       FolderMode::must_be_new,
-                                       ""),
-                 UserError);
+    // Below a file not even root may make one.
+    const TemporaryFolder folder;
+    put(folder.file("file"), "mine");
+    EXPECT_USER_ERROR(prepare_output_folder(folder.file("file/waker"),
+                                            FolderMode::must_be_new,
+                                            ""),
+                      "Output/Directory",
+                      "cannot make the folder '" + folder.file("file/waker") +
+                        "'");
+    EXPECT_EQ(get(folder.file("file")), "mine");
   }
 
 
@@ -117,8 +124,11 @@ namespace Waker
       EXPECT_EQ(fs::exists(run + "/" + name),
                 name.find(".tmp") == std::string::npos)
         << name;
-    EXPECT_THROW(prepare_output_folder(run, FolderMode::must_be_new, "third"),
-                 UserError);
+    EXPECT_USER_ERROR(prepare_output_folder(run,
+                                            FolderMode::must_be_new,
+                                            "third"),
+                      "Output/Directory",
+                      "is not empty");
     EXPECT_EQ(get(run + "/parameters.prm"), "second");
 
     put(run + "/surface.pvd.tmp", "x");
@@ -383,12 +393,16 @@ namespace Waker
   TEST(Output, summary_of_a_newer_version_or_none_is_refused)
   {
     const TemporaryFolder folder;
-    EXPECT_THROW(Summary::read(folder.file("summary.json")), UserError);
-    put(folder.file("summary.json"), "{\"outcome\": ");
-    EXPECT_THROW(Summary::read(folder.file("summary.json")), UserError);
+    const std::string     path = folder.file("summary.json");
+    EXPECT_USER_ERROR(Summary::read(path), path, "cannot be read");
+    put(path, "{\"outcome\": ");
+    EXPECT_USER_ERROR(Summary::read(path), path, "is not a summary");
     Summary summary;
     summary.schema_version = Summary::current_schema_version + 1;
-    summary.write(folder.file("summary.json"));
-    EXPECT_THROW(Summary::read(folder.file("summary.json")), UserError);
+    summary.write(path);
+    EXPECT_USER_ERROR(Summary::read(path),
+                      path,
+                      "has schema version " +
+                        std::to_string(summary.schema_version));
   }
 } // namespace Waker

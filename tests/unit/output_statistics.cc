@@ -1,14 +1,37 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <waker/base/errors.h>
+#include <deal.II/base/exceptions.h>
+
+#include <waker/base/text.h>
 #include <waker/output/statistics.h>
 
 #include "output_temporary_folder.h"
+#include "user_errors.h"
 #include <gtest/gtest.h>
+#include <sstream>
 
 namespace Waker
 {
   namespace
   {
+    /// What the AssertThrow says that `function` must meet.
+    template <typename Function>
+    std::string
+    mistake(const Function &function)
+    {
+      try
+        {
+          function();
+        }
+      catch (const dealii::ExcMessage &exception)
+        {
+          std::ostringstream text;
+          exception.print_info(text);
+          return tidy(text.str());
+        }
+      return "";
+    }
+
+
     void
     add_rows(Statistics        &statistics,
              const unsigned int from,
@@ -54,10 +77,13 @@ namespace Waker
     Statistics statistics("");
     add_rows(statistics, 0, 1);
     statistics.begin_row(1);
-    EXPECT_ANY_THROW(statistics.add("Dyke width (m)", 1.));
+    EXPECT_EQ(mistake([&]() { statistics.add("Dyke width (m)", 1.); }),
+              "Column 2 of the statistics is not 'Dyke width (m)' in every "
+              "row");
     statistics.begin_row(2);
     statistics.add("Time (s)", 1.);
-    EXPECT_ANY_THROW(statistics.end_row());
+    EXPECT_EQ(mistake([&]() { statistics.end_row(); }),
+              "A row of the statistics has 2 columns, not 3");
   }
 
 
@@ -105,13 +131,16 @@ namespace Waker
     }
     Statistics statistics(folder.file("statistics"), 4);
     statistics.begin_row(4);
-    EXPECT_ANY_THROW(statistics.add("Energy (kJ)", 1.));
+    EXPECT_EQ(mistake([&]() { statistics.add("Energy (kJ)", 1.); }),
+              "Column 2 of the statistics is not 'Energy (kJ)' in every row");
   }
 
 
   TEST(Output, statistics_that_cannot_be_written_are_the_users_matter)
   {
     const TemporaryFolder folder;
-    EXPECT_THROW(Statistics(folder.file("none/statistics")), UserError);
+    EXPECT_USER_ERROR(Statistics(folder.file("none/statistics")),
+                      "Output/Directory",
+                      "cannot write '" + folder.file("none/statistics") + "'");
   }
 } // namespace Waker

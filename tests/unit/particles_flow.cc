@@ -4,6 +4,7 @@
 #include <waker/particles/removal.h>
 
 #include "mapping_lattice.h"
+#include "user_errors.h"
 #include <algorithm>
 #include <gtest/gtest.h>
 
@@ -216,6 +217,8 @@ TEST(ParticlesFlow, BadInput)
   EXPECT_EQ(outflow.open_faces(2),
             (std::vector<bool>{false, true, false, true}));
   outflow.faces = "front";
-  EXPECT_THROW(outflow.open_faces(2), UserError);
+  EXPECT_USER_ERROR(outflow.open_faces(2),
+                    "Outflow/Faces",
+                    "no face \"front\" in 2D");
   EXPECT_NO_THROW(outflow.open_faces(3));
 }

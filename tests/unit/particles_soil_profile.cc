@@ -406,6 +406,7 @@ TEST(Particles, bad_profiles_are_named)
   try
     {
       make(grid, {l});
+      FAIL();
     }
   catch (const UserError &e)
     {

@@ -7,6 +7,7 @@
 #include <waker/simulation/parameters.h>
 
 #include "program_case.h"
+#include "user_errors.h"
 #include <gtest/gtest.h>
 #include <sstream>
 
@@ -129,7 +130,7 @@ TEST(Program, printed_template_is_a_parameter_file)
   print_parameters(prm, "prm");
   print_parameters(markdown, "markdown");
   EXPECT_NE(markdown.str().find("| Cell size | 0.25 |"), std::string::npos);
-  EXPECT_THROW(print_parameters(prm, "yaml"), UserError);
+  EXPECT_USER_ERROR(print_parameters(prm, "yaml"), "--format", "\"yaml\"");
   // All that a user must fill in: the profile, and the places of what is not
   // wanted by every case.
   const auto p =
@@ -159,15 +160,18 @@ TEST(Program, command_line)
   const char *const version[] = {"waker", "--version"};
   EXPECT_EQ(parse_command_line(2, version).text.rfind("waker ", 0), 0u);
 
-  const std::vector<std::vector<const char *>> mistakes = {
-    {"waker"},
-    {"waker", "run"},
-    {"waker", "walk", "a.prm"},
-    {"waker", "run", "a.prm", "b.prm"},
-    {"waker", "run", "a.prm", "--fast"},
-    {"waker", "run", "a.prm", "--resume", "--overwrite"},
-    {"waker", "parameters", "--format", "yaml"}};
+  using Words = std::vector<const char *>;
+  const std::vector<std::pair<Words, std::string>> mistakes = {
+    {{"waker"}, "subcommand"},
+    {{"waker", "run"}, "FILE is required"},
+    {{"waker", "walk", "a.prm"}, "walk"},
+    {{"waker", "run", "a.prm", "b.prm"}, "b.prm"},
+    {{"waker", "run", "a.prm", "--fast"}, "--fast"},
+    {{"waker", "run", "a.prm", "--resume", "--overwrite"}, "excludes"},
+    {{"waker", "parameters", "--format", "yaml"}, "yaml"}};
   for (const auto &mistake : mistakes)
-    EXPECT_THROW(parse_command_line(mistake.size(), mistake.data()), UserError)
-      << mistake.back();
+    EXPECT_USER_ERROR(parse_command_line(mistake.first.size(),
+                                         mistake.first.data()),
+                      "command line",
+                      mistake.second);
 }

@@ -4,6 +4,7 @@
 #include <waker/reliability/report_tables.h>
 #include <waker/reliability/yearly.h>
 
+#include "user_errors.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -308,24 +309,19 @@ TEST(Fragility, gumbel_and_table)
   EXPECT_NEAR(table.exceedance(5.), 1e-5, 1e-14);
   EXPECT_NEAR(table.exceedance(2.), 1., 1e-15);
 
-  for (const char *const wrong : {"3,0.1\n",
-                                  "3,0.1\n2.5,0.01\n",
-                                  "3,0.1\n4,0.1\n",
-                                  "3,0.1\n4,0\n",
-                                  "3,1.1\n4,0.1\n",
-                                  "3,0.1\n4 0.1\n",
-                                  "3,0.1\n4,0.01,7\n"})
-    EXPECT_THROW(LevelDistribution::parse_table(wrong, "t.csv"), UserError)
-      << wrong;
-  try
-    {
-      LevelDistribution::parse_table("h,p\n3,0.1\nx,y\n", "t.csv");
-      FAIL();
-    }
-  catch (const UserError &error)
-    {
-      EXPECT_EQ(error.where, "t.csv:3");
-    }
+  const std::array<const char *, 3> wrong[] = {
+    {{"3,0.1\n", "t.csv", "has 1 lines"}},
+    {{"3,0.1\n2.5,0.01\n", "t.csv:2", "does not continue"}},
+    {{"3,0.1\n4,0.1\n", "t.csv:2", "does not continue"}},
+    {{"3,0.1\n4,0\n", "t.csv:2", "out of range"}},
+    {{"3,1.1\n4,0.1\n", "t.csv:1", "out of range"}},
+    {{"3,0.1\n4 0.1\n", "t.csv:2", "'4 0.1' is not a level"}},
+    {{"3,0.1\n4,0.01,7\n", "t.csv:2", "'4,0.01,7' is not a level"}},
+    {{"h,p\n3,0.1\nx,y\n", "t.csv:3", "'x,y' is not a level"}}};
+  for (const auto &line : wrong)
+    EXPECT_USER_ERROR(LevelDistribution::parse_table(line[0], "t.csv"),
+                      line[1],
+                      line[2]);
 }
 
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
 
+#include "output_temporary_folder.h"
 #include "reliability_random_dyke.h"
-#include <cstdio>
-#include <fstream>
 #include <gtest/gtest.h>
 
 namespace
@@ -16,14 +15,11 @@ namespace
   {
     explicit Measured(const std::string &lines)
     {
-      std::ofstream(name) << lines;
-    }
-    ~Measured()
-    {
-      std::remove(name.c_str());
+      put(name, lines);
     }
 
-    const std::string name = testing::TempDir() + "measured.csv";
+    const TemporaryFolder folder;
+    const std::string     name = folder.file("measured.csv");
   };
 
 

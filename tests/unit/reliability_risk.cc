@@ -2,6 +2,7 @@
 #include <waker/base/errors.h>
 #include <waker/reliability/risk.h>
 
+#include "user_errors.h"
 #include <gtest/gtest.h>
 
 using namespace Waker;
@@ -50,19 +51,19 @@ TEST(Risk, parameters_are_checked)
 
   AnalysisParameters wrong = parameters;
   wrong.risk.distribution  = "Gumbel";
-  EXPECT_THROW(wrong.check(), UserError);
+  EXPECT_USER_ERROR(wrong.check(), "Risk/Gumbel scale", "is 0");
   wrong.risk.scale = 0.2;
   wrong.check();
 
   wrong                   = parameters;
   wrong.risk.distribution = "table";
-  EXPECT_THROW(wrong.check(), UserError);
+  EXPECT_USER_ERROR(wrong.check(), "Risk/Level table", "is empty");
 
   wrong                       = parameters;
   wrong.risk.factor_of_safety = 1.3;
-  EXPECT_THROW(wrong.check(), UserError);
+  EXPECT_USER_ERROR(wrong.check(), "Risk/Strength variation", "is 0");
 
   wrong                      = parameters;
   wrong.histograms.width_bin = 0.;
-  EXPECT_THROW(wrong.check(), UserError);
+  EXPECT_USER_ERROR(wrong.check(), "Histograms/Width bin", "is 0");
 }

@@ -3,6 +3,7 @@
 #include <waker/reliability/slides.h>
 
 #include "reliability_failed_dyke.h"
+#include "user_errors.h"
 #include <gtest/gtest.h>
 
 namespace
@@ -186,5 +187,5 @@ TEST(Slides, parameters_are_checked)
   SlideParameters parameters;
   parameters.check();
   parameters.rate = 0.;
-  EXPECT_THROW(parameters.check(), UserError);
+  EXPECT_USER_ERROR(parameters.check(), "Slides/Rate", "is 0");
 }

@@ -5,6 +5,7 @@
 
 #include "output_temporary_folder.h"
 #include "reliability_records.h"
+#include "user_errors.h"
 #include <algorithm>
 #include <cmath>
 #include <csignal>
@@ -316,9 +317,13 @@ namespace Waker
     EXPECT_EQ(get(path), "the one before");
     EXPECT_FALSE(std::filesystem::exists(path + ".tmp"));
 
-    EXPECT_THROW(write(folder.file("none/results.h5"), six_records()),
-                 UserError);
-    EXPECT_THROW(write(path, {synthetic_record(2, 0)}), UserError);
+    const std::string nowhere = folder.file("none/results.h5");
+    EXPECT_USER_ERROR(write(nowhere, six_records()),
+                      "Output/Directory",
+                      "cannot write '" + nowhere + "'");
+    expect_user_error([&]() { write(path, {synthetic_record(2, 0)}); },
+                      path,
+                      "a record of scenario 2");
     EXPECT_THROW(write(path, {synthetic_record(0, 0), synthetic_record(0, 0)}),
                  std::logic_error);
     EXPECT_EQ(get(path), "the one before");

@@ -73,6 +73,7 @@ namespace
     ASSERT_TRUE(record);
     EXPECT_EQ(record->outcome, Outcome::stable);
     EXPECT_GT(record->steps, 0u);
+    EXPECT_EQ(record->unconverged_steps, 0u);
     EXPECT_NEAR(record->end_time, 0.05, 1e-12);
   }
 } // namespace

@@ -48,6 +48,8 @@ namespace
          realisation.look() == StopReason::none && n < n_steps;
          ++n)
       realisation.advance();
+    EXPECT_GT(state.step, 0u);
+    EXPECT_EQ(state.unconverged_steps, 0u);
   }
 
 
@@ -88,6 +90,7 @@ TEST(SimulationFlow, MassAndMomentumBalancesClose)
       EXPECT_LT(remainder.norm(), 1e-6 * scale); // Newton's tolerance: 1e-8
     }
   // 3 m have entered; the front was 1 m away from the open face.
+  EXPECT_EQ(state.unconverged_steps, 0u);
   EXPECT_NEAR(flow.mass_in, 3. * 18. / 9.81, 1e-12 * scale);
   EXPECT_NEAR(flow.mass_out, 2. * 18. / 9.81, 0.3 * 18. / 9.81);
   EXPECT_EQ(flow.points_in, 48u);

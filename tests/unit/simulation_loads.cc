@@ -33,6 +33,7 @@ namespace
         ASSERT_EQ(realisation.look(), StopReason::none);
         realisation.advance();
       }
+    EXPECT_EQ(state.unconverged_steps, 0u);
   }
 
 

@@ -3,6 +3,7 @@
 #include <waker/program/parameter_reader.h>
 #include <waker/simulation/realisation.h>
 
+#include "user_errors.h"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <map>
@@ -50,6 +51,8 @@ namespace
          realisation.look() == StopReason::none && n < n_steps;
          ++n)
       realisation.advance();
+    EXPECT_GT(state.step, 0u);
+    EXPECT_EQ(state.unconverged_steps, 0u);
     if (last != nullptr)
       *last = realisation.view().report;
   }
@@ -199,6 +202,8 @@ TEST(SimulationWall, ABlockBounces)
       EXPECT_LT((momentum(state.points) - start - impulse).norm(),
                 1e-7 * start.norm());
     }
+  EXPECT_GE(state.step, 50u);
+  EXPECT_EQ(state.unconverged_steps, 0u);
   EXPECT_GT(impulse[0], 0.3 * std::abs(start[0]));
   EXPECT_LT(std::abs(state.energy.remainder()),
             0.01 * state.energy.kinetic_start);
@@ -212,5 +217,10 @@ TEST(SimulationWall, ABlockBounces)
 
 TEST(SimulationWall, TheExplicitSchemeHasNone)
 {
-  EXPECT_THROW(parameters({{"Time stepping/Scheme", "explicit"}}), UserError);
+  expect_user_error(
+    []() {
+      parameters({{"Time stepping/Scheme", "explicit"}});
+    },
+    "--set Time stepping/Scheme",
+    "there are walls off the grid");
 }
