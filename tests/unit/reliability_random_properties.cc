@@ -138,10 +138,10 @@ namespace
             xx += x * x / n;
             yy += y * y / n;
           }
-        // 1,600 points, four and more to a scale of fluctuation. Over other
-        // seeds the two variances scatter by 0.06, the correlation by 0.03
-        // (standard deviations): four of them, a false alarm of 1e-4 if the
-        // noise is ever changed.
+        // The integral of rho^2 of cells is A = 0.23 m^2, the dyke has 100:
+        // standard deviations of sqrt(2 A / 100) = 0.07 of the variances and
+        // (1 - rho^2) sqrt(A / 100) = 0.03, 0.036 of the correlation. Below
+        // 1e-3 each to fail with another seed.
         EXPECT_NEAR(xx, 1., 0.25);
         EXPECT_NEAR(yy, 1., 0.25);
         EXPECT_NEAR(xy / std::sqrt(xx * yy), rho, rho == 1. ? 1e-9 : 0.12);
