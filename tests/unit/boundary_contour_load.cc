@@ -188,7 +188,7 @@ TEST(Boundary, contour_is_the_same_in_a_slice)
       contour_3d.detect(slice, surface);
       ASSERT_NEAR(enclosed_volume(surface),
                   enclosed_volume(line) * 0.5 * h * n_layers,
-                  1e-9);
+                  1e-12);
     }
 }
 

@@ -134,7 +134,7 @@ TEST(Boundary, marching_cubes_is_closed_and_oriented)
             ASSERT_TRUE(closed >> facet.on_face & 1u);
             for (const Point<3> &v : facet.vertices)
               ASSERT_NEAR(v[d], wall, 1e-14);
-            ASSERT_NEAR(facet.normal[d], up ? 1. : -1., 1e-9);
+            ASSERT_NEAR(facet.normal[d], up ? 1. : -1., 1e-12);
           }
     }
   EXPECT_GT(n_triangles, 100000u);
@@ -172,8 +172,8 @@ TEST(Boundary, sphere_by_marching_cubes_converges_with_second_order)
     }
   for (int k = 0; k < 2; ++k)
     {
-      EXPECT_NEAR(std::log2(volume_error[k] / volume_error[k + 1]), 2., 0.15);
-      EXPECT_NEAR(std::log2(area_error[k] / area_error[k + 1]), 2., 0.15);
+      EXPECT_NEAR(std::log2(volume_error[k] / volume_error[k + 1]), 2., 0.03);
+      EXPECT_NEAR(std::log2(area_error[k] / area_error[k + 1]), 2., 0.03);
     }
   EXPECT_LT(volume_error[2], 2e-3);
   EXPECT_LT(area_error[2], 2e-3);
@@ -221,11 +221,11 @@ TEST(Boundary, prismatic_field_has_the_section_of_marching_squares)
           (chain.on_face[i] < 0 ? in_section : faces) +=
             chain.vertices[i].distance(
               chain.vertices[(i + 1) % chain.vertices.size()]);
-      EXPECT_NEAR(free, length * in_section, 1e-11);
-      EXPECT_NEAR(closed_area, length * faces, 1e-11);
+      EXPECT_NEAR(free, length * in_section, 1e-12);
+      EXPECT_NEAR(closed_area, length * faces, 1e-12);
       EXPECT_NEAR(enclosed_volume(facets),
                   length * enclosed_volume(to_facets(section)),
-                  1e-11);
+                  1e-12);
     }
 }
 
@@ -250,8 +250,8 @@ TEST(Boundary, mirrored_field_has_the_mirrored_surface)
               values[((d == 2 ? 7 - k : k) * 8 + (d == 1 ? 7 - j : j)) * 8 +
                      (d == 0 ? 7 - i : i)];
       const Facets<3> others = all_facets(trace(x, mirrored, 0.5));
-      EXPECT_NEAR(enclosed_volume(others), enclosed_volume(facets), 1e-11);
-      EXPECT_NEAR(area(others), area(facets), 1e-10);
+      EXPECT_NEAR(enclosed_volume(others), enclosed_volume(facets), 1e-12);
+      EXPECT_NEAR(area(others), area(facets), 1e-11);
       EXPECT_EQ(others.size(), facets.size());
     }
 }

@@ -163,7 +163,7 @@ TEST(Boundary, kernel_integrates_to_one)
           for (const double f : field.field(points))
             sum += f * h * h;
         }
-      EXPECT_NEAR(sum / (n * n), 3., 3e-3) << "radius " << radius;
+      EXPECT_NEAR(sum / (n * n), 3., 1e-3) << "radius " << radius;
     }
 }
 
@@ -380,7 +380,7 @@ TEST(Boundary, parameters_of_the_surface_are_read)
   EXPECT_EQ(parameters.kernel_radius, 1.5);
   EXPECT_EQ(parameters.threshold, 0.4);
   EXPECT_FALSE(parameters.mirror);
-  using WrongValue = ParameterHandler::ExcValueDoesNotMatchPattern;
+  using WrongValue = ParameterHandler::ExcInvalidEntryForPattern;
   EXPECT_THROW(prm.parse_input_from_string("set Kernel radius = 3\n"),
                WrongValue);
   EXPECT_THROW(prm.parse_input_from_string("set Threshold = 0\n"), WrongValue);

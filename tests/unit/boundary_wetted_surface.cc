@@ -166,7 +166,7 @@ TEST(Boundary, parameters_of_the_water_are_read)
   EXPECT_EQ(parameters.level, -1.5);
   EXPECT_EQ(parameters.unit_weight, 9.81);
   EXPECT_EQ(parameters.minimum_support, 0.02);
-  using WrongValue = ParameterHandler::ExcValueDoesNotMatchPattern;
+  using WrongValue = ParameterHandler::ExcInvalidEntryForPattern;
   EXPECT_THROW(prm.parse_input_from_string("set Side = up\n"), WrongValue);
   EXPECT_THROW(prm.parse_input_from_string("set Unit weight = -1\n"),
                WrongValue);

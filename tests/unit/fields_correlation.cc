@@ -179,7 +179,7 @@ namespace
                     }
               EXPECT_NEAR(sum / correlation.between_cells(large, {{0, 0, 0}}),
                           1.,
-                          1e-9)
+                          1e-12)
                 << int(f) << ' ' << scale << ' ' << dim;
             }
         }
@@ -225,7 +225,7 @@ namespace
           const double      dx  = theta / 1000.;
           for (int i = -12000; i < 12000; ++i)
             sum += dx * correlation.between_points({{(i + 0.5) * dx, 0., 0.}});
-          EXPECT_NEAR(sum / theta, 1., 1e-5);
+          EXPECT_NEAR(sum / theta, 1., 1e-6);
         }
     const Correlation markov(Function::markov, {3., 0.5});
     EXPECT_NEAR(markov.between_points({{1.5, 0.25, 0.}}),

@@ -50,7 +50,7 @@ namespace
           ASSERT_NEAR(tangent[n * a + b][l],
                       expected[l].access_raw_entry(6 * components[a] +
                                                    components[b]),
-                      1e-9);
+                      1e-10);
   }
 } // namespace
 

@@ -79,8 +79,8 @@ namespace
     ghost.vmult_add(force, u);
     ghost.vmult_add(other, v);
     EXPECT_GT(u * force, 1.);
-    EXPECT_NEAR(u * other, v * force, 1e-10);
-    EXPECT_NEAR(linear * force, 0., 1e-10);
+    EXPECT_NEAR(u * other, v * force, 1e-12);
+    EXPECT_NEAR(linear * force, 0., 1e-12);
 
     NodalVector diagonal(n), unit(n);
     ghost.add_diagonal(diagonal);
@@ -143,9 +143,9 @@ namespace
     system.vmult(product, x);
     product -= original;
     EXPECT_GT(original.linfty_norm(), 0.01);
-    EXPECT_LT(product.linfty_norm(), 1e-7 * original.linfty_norm());
+    EXPECT_LT(product.linfty_norm(), 2e-9 * original.linfty_norm());
     b -= original;
-    EXPECT_LT(b.linfty_norm(), 1e-7 * original.linfty_norm());
+    EXPECT_LT(b.linfty_norm(), 2e-9 * original.linfty_norm());
   }
 
 
