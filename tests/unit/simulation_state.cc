@@ -83,6 +83,9 @@ namespace
     state.unconverged_steps   = 7;
     fill(state.energy, 100.);
     fill(state.rest, 200.);
+    state.tractions.resize(2);
+    fill(state.tractions[0], 210.);
+    fill(state.tractions[1], 220.);
     FlowAccount<dim> &flow = state.flow;
     flow.mass_start = 21.5, flow.mass_in = 22.5, flow.mass_out = 23.5;
     double number = 30.;
@@ -101,8 +104,10 @@ namespace
     state.failure.initial_time        = 13.5;
     state.failure.initial_time_thesis = 14.5;
     state.failure.flooding_time       = 15.5;
-    state.failure.geometry.height     = 16.5;
-    state.failure.geometry.width      = 17.5;
+    fill(state.failure.inner_slide, 230.);
+    fill(state.failure.outer_slide, 250.);
+    state.failure.geometry.height = 16.5;
+    state.failure.geometry.width  = 17.5;
 
     State<dim> copy;
     copy.read(state.write());
@@ -120,6 +125,13 @@ namespace
     EXPECT_EQ(copy.unconverged_steps, 7u);
     EXPECT_TRUE(same_bytes(copy.energy, state.energy));
     EXPECT_TRUE(same_bytes(copy.rest, state.rest));
+    ASSERT_EQ(copy.tractions.size(), 2u);
+    for (unsigned int i = 0; i < 2; ++i)
+      EXPECT_TRUE(same_bytes(copy.tractions[i], state.tractions[i])) << i;
+    EXPECT_TRUE(
+      same_bytes(copy.failure.inner_slide, state.failure.inner_slide));
+    EXPECT_TRUE(
+      same_bytes(copy.failure.outer_slide, state.failure.outer_slide));
     EXPECT_EQ(copy.flow.mass_start, 21.5);
     EXPECT_EQ(copy.flow.mass_in, 22.5);
     EXPECT_EQ(copy.flow.mass_out, 23.5);
