@@ -71,8 +71,7 @@ namespace Waker
 
   TEST(Output, folder_that_cannot_be_made_is_the_users_matter)
   {
-    // Not even root can make a folder there.
-    // Below a file not even root may make one.
+    // Below a file not even root can make a folder.
     const TemporaryFolder folder;
     put(folder.file("file"), "mine");
     EXPECT_USER_ERROR(prepare_output_folder(folder.file("file/waker"),
