@@ -16,9 +16,13 @@ A comment before a block changes how it is walked; readers do not see it:
 | needs PROGRAM  | the block is left out where there is no such program
 | without START  | lines that begin so are left out (a comma separates several)
 | not REASON     | the block is not walked
+
+Where a page has tables of summary.json and of the columns of statistics, they are
+compared with what its own run has written.
 """
 
 import glob
+import json
 import os
 import re
 import shlex
@@ -93,10 +97,41 @@ def make_scratch(folder, waker, source):
     return programs
 
 
+def documented(text, folder):
+    """What the page's tables of summary.json and statistics say, and what the
+    run that the page makes has written: differences in words."""
+    found, wrong = re.search(r"### summary.json\n(.*?)\n##", text, re.DOTALL), []
+    runs = glob.glob(os.path.join(folder, "*", "summary.json"))
+    if not found or not runs:
+        return wrong
+    run = os.path.dirname(sorted(runs)[0])
+    cells = [line.split("|")[1] for line in found[1].split("\n")
+             if line.startswith("| `")]
+    keys = {key for cell in cells for key in re.findall(r"`(\w+)`", cell)}
+    with open(os.path.join(run, "summary.json"), encoding="utf-8") as file:
+        written = set(json.load(file))
+    wrong += [f"summary.json has no {key}" for key in sorted(keys - written)]
+    wrong += [f"{key} of summary.json is not in the page"
+              for key in sorted(written - keys)]
+    with open(os.path.join(run, "statistics"), encoding="utf-8") as file:
+        columns = dict(re.findall(r"^# (\d+): (\w+)", file.read(), re.M))
+    table = text[text.index("### statistics"):]
+    rows = [line.split("|")[1] for line in table.split("\n")
+            if re.match(r"\| \d+ ", line)]
+    named = dict(pair for row in rows
+                 for pair in re.findall(r"(?:^|, ) ?(\d+) (\w+)", row))
+    wrong += [f"column {number} of statistics is {columns.get(number)}, in the "
+              f"page {named.get(number)}"
+              for number in sorted(set(columns) | set(named), key=int)
+              if columns.get(number) != named.get(number)]
+    return wrong
+
+
 def walk(page, waker, source):
     """Number of blocks that failed."""
     with open(page, encoding="utf-8") as file:
-        blocks = blocks_of(file.read())
+        text = file.read()
+    blocks = blocks_of(text)
     name = os.path.relpath(page, source)
     if not blocks:
         print(f"FAIL {name}: no block; is this the page?")
@@ -132,6 +167,9 @@ def walk(page, waker, source):
             if not good:
                 print(f"{block.text}\nended with {done.returncode}:\n"
                       f"{done.stdout[-3000:]}")
+        for what in documented(text, folder):
+            failed += 1
+            print(f"FAIL {name}: {what}")
     return failed
 
 
