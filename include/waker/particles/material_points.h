@@ -7,6 +7,7 @@
 #include <deal.II/base/tensor.h>
 
 #include <cstdint>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -78,6 +79,17 @@ namespace Waker
         if (scalars[i].name == name)
           return i;
       return -1;
+    }
+
+    /// The scalar of this name. @throws std::out_of_range if there is none
+    const std::vector<double> &
+    scalar(const std::string &name) const
+    {
+      const int i = find_scalar(name);
+      if (i < 0)
+        throw std::out_of_range("no material keeps a scalar \"" + name +
+                                "\" for its points");
+      return scalars[i].values;
     }
 
     /// The scalar of this name; made, and filled with `value`, if it is new.
