@@ -4,6 +4,7 @@
 #include <waker/output/checkpoint.h>
 #include <waker/output/files.h>
 #include <waker/output/output_files.h>
+#include <waker/output/parameter_differences.h>
 
 #include <boost/crc.hpp>
 #include <cerrno>
@@ -113,9 +114,11 @@ namespace Waker
 
 
   CheckpointSlots::CheckpointSlots(const std::string &directory,
-                                   const std::string &case_hash)
+                                   const std::string &case_hash,
+                                   const std::string &parameters)
     : directory(directory)
     , case_hash(case_hash)
+    , parameters(parameters)
   {}
 
 
@@ -195,15 +198,24 @@ namespace Waker
                         "a whole checkpoint; or start anew, with --overwrite");
       }
     if (newest.case_hash != case_hash)
-      throw UserError(where,
-                      "the checkpoint in '" + directory +
-                        "' belongs to another case (its parameters have hash " +
-                        newest.case_hash + ", yours " + case_hash +
-                        "): a parameter or the contents of an input file "
-                        "differ",
-                      "the parameters of that run, see parameters.prm there, "
-                      "and the same input files; only what the manual lists "
-                      "under \"Resuming\" may differ");
+      {
+        const std::string path = file_path(directory, OutputFile::parameters);
+        const std::string differences =
+          !parameters.empty() && std::filesystem::exists(path)
+            ? parameter_differences(read_file(path), parameters)
+            : "";
+        throw UserError(where,
+                        "the checkpoint in '" + directory +
+                          "' belongs to another case (its parameters have "
+                          "hash " +
+                          newest.case_hash + ", yours " + case_hash +
+                          "): a parameter or the contents of an input file "
+                          "differ" +
+                          (differences.empty() ? "" : ": " + differences),
+                        "the parameters of that run, see parameters.prm "
+                        "there, and the same input files; only what the "
+                        "manual lists under \"Resuming\" may differ");
+      }
     if (!damaged.empty())
       warning = "checkpoint " + damaged +
                 " is damaged; going on from the older one, step " +

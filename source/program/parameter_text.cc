@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/parameter_handler.h>
 
+#include <waker/base/errors.h>
+#include <waker/base/hash.h>
 #include <waker/base/text.h>
+#include <waker/output/files.h>
 #include <waker/program/parameter_text.h>
 
 #include <filesystem>
@@ -44,6 +47,17 @@ namespace Waker
     for (const DeclaredParameter &parameter : values)
       if (parameter.is_input_file() && !parameter.value.empty())
         set_value(prm, parameter, parameter.value);
+    for (const DeclaredParameter &parameter : values)
+      if (parameter.is_input_file() && !parameter.value.empty())
+        try
+          {
+            text << "# contents: " << parameter.path() << " = "
+                 << hash_of_text(read_file(parameter.value)) << "\n";
+          }
+        catch (const UserError &)
+          {
+            // Whoever needs the file will say so.
+          }
     return text.str();
   }
 } // namespace Waker

@@ -5,6 +5,7 @@
 #include <waker/output/folder_lock.h>
 #include <waker/output/output_files.h>
 #include <waker/output/output_folder.h>
+#include <waker/output/parameter_differences.h>
 #include <waker/reliability/campaign_files.h>
 #include <waker/reliability/campaign_folder.h>
 #include <waker/reliability/report.h>
@@ -68,12 +69,16 @@ namespace Waker
     check_same(const std::string &folder, const CampaignInfo &info)
     {
       const CampaignInfo old = CampaignInfo::read(info_path(folder));
+      const std::string  differences =
+        parameter_differences(old.parameters, info.parameters);
       if (old.hash != info.hash)
-        refuse("'" + folder + "' holds another campaign (its parameters have " +
-                 "the hash " + old.hash + ", these " + info.hash + ")",
-               "the same parameters, but for Output, Snapshots, Slides, "
-               "Histograms, Risk, and of Campaign the number of realisations "
-               "and the rules for stopping; a new folder; or --overwrite");
+        refuse(
+          "'" + folder + "' holds another campaign (its parameters have " +
+            "the hash " + old.hash + ", these " + info.hash + ")" +
+            (differences.empty() ? "" : ": " + differences),
+          "the same parameters and input files, but for Output, Snapshots, Slides, "
+          "Histograms, Risk, and of Campaign the number of realisations "
+          "and the rules for stopping; a new folder; or --overwrite");
       if (info.realisations < old.realisations)
         throw UserError("Campaign/Realisations",
                         "is " + std::to_string(info.realisations) +

@@ -123,7 +123,7 @@ namespace Waker
   template <int dim>
   Recorder<dim>::Recorder(const Parameters &parameters, State<dim> &state)
     : parameters(&parameters)
-    , slots(parameters.output.directory, parameters.hash)
+    , slots(parameters.output.directory, parameters.hash, parameters.text)
     , particles(parameters.output.directory, FieldSeries::particles)
     , surfaces(parameters.output.directory, FieldSeries::surface)
     , grids(parameters.output.directory, FieldSeries::grid)

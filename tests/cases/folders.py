@@ -174,7 +174,8 @@ def changed_inputs(folders, check):
     before = contents(folder)
     write("bar.txt", "# the same, but not as a file\n" + text)
     check.refused("--resume with another surface", folders.start(
-        case, folder, "--resume", cwd=place), "contents of an input file")
+        case, folder, "--resume", cwd=place),
+                  "contents of Tractions/points/Surface file")
     check(contents(folder) == before, "and nothing changed")
 
     # The file may have moved, and the copy of the parameters runs anywhere.

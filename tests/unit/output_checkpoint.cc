@@ -133,6 +133,39 @@ namespace Waker
   }
 
 
+  TEST(Output, checkpoint_of_another_case_says_in_what_it_differs)
+  {
+    const TemporaryFolder folder;
+    CheckpointSlots(folder.path, hash).write(10, "state");
+    put(folder.file("parameters.prm"),
+        "# realisation 3\nsubsection Water\n  set Level = 4.75\n"
+        "  subsection Sub section\n    set A b = 1; 2\n  end\n"
+        "  set Side = left\nend\nsubsection Output\n  set Interval = 1\nend\n"
+        "set Dimension = 2\n# contents: Tractions/load/Surface file = 01\n");
+    const std::string now =
+      "subsection Water\n  set Level = 4.5\n"
+      "  subsection Sub section\n    set A b = 1; 3\n  end\n"
+      "  set Side = left\nend\nsubsection Output\n  set Interval = 2\nend\n"
+      "set Dimension = 2\n# contents: Tractions/load/Surface file = 02\n";
+    std::string warning;
+    try
+      {
+        CheckpointSlots(folder.path, "other", now).read_latest(warning);
+        FAIL();
+      }
+    catch (const UserError &error)
+      {
+        EXPECT_NE(error.problem.find(
+                    "differ: Water/Level (4.75 there, 4.5 here), Water/Sub "
+                    "section/A b (1; 2 there, 1; 3 here), contents of "
+                    "Tractions/load/Surface file (01 there, 02 here)"),
+                  std::string::npos)
+          << error.problem;
+        EXPECT_EQ(error.problem.find("Interval"), std::string::npos);
+      }
+  }
+
+
   TEST(Output, missing_and_useless_checkpoints_are_told_apart)
   {
     const TemporaryFolder folder;

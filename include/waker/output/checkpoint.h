@@ -41,8 +41,11 @@ namespace Waker
      * @param directory the output folder; "checkpoints/" is made in it when
      *        the first checkpoint is written
      * @param case_hash Parameters::hash of this run
+     * @param parameters its parameters.prm, to say in what another case differs
      */
-    CheckpointSlots(const std::string &directory, const std::string &case_hash);
+    CheckpointSlots(const std::string &directory,
+                    const std::string &case_hash,
+                    const std::string &parameters = "");
 
     /// Write the state after `step` steps to the slot that is not the newest.
     /// @throws UserError "Output/Directory" if it cannot be written
@@ -68,6 +71,7 @@ namespace Waker
   private:
     std::string  directory;
     std::string  case_hash;
+    std::string  parameters;
     unsigned int next_slot = 0;
   };
 } // namespace Waker

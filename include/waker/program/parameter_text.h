@@ -13,6 +13,8 @@ namespace Waker
    * The .prm of all values: what is copied to the output folder, and runs again
    * from any folder. So input files have their absolute paths there.
    *
+   * Comments at its end hold the hashes of the files' contents.
+   *
    * @param prm gets its values back as they were
    * @param values of `prm` now
    */
