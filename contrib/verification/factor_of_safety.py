@@ -32,20 +32,6 @@ def circle(freeboard):
     return min(INNER, OUTER[freeboard])
 
 
-def slope_of_failure(folder):
-    """The slope that slid at the lowest factor that fails."""
-    with open(os.path.join(folder, "strength_reduction.csv"),
-              encoding="utf-8") as file:
-        rows = list(csv.DictReader(line for line in file
-                                   if not line.startswith("#")))
-    failed = [row for row in rows if row["failed"] == "1"]
-    if not failed:
-        return ""
-    text = min(failed, key=lambda row: float(row["factor"]))
-    return next((name for name in ("inner", "outer", "both")
-                 if name in " ".join(text.values())), "")
-
-
 def factor(work, cell, freeboard, reading):
     water = ({"Water/Side": "none"} if freeboard is None
              else {"Water/Level": CREST - freeboard})
@@ -56,8 +42,8 @@ def factor(work, cell, freeboard, reading):
             "Strength reduction/Lower factor": 0.9,
             "Strength reduction/Upper factor": 2.2}
     result = work.factor_of_safety(name, CASE, sets)
-    return (result["factor_of_safety"],
-            slope_of_failure(os.path.join(work.folder, name)))
+    failure = result["failure"] or {}
+    return result["factor_of_safety"], failure.get("slope") or ""
 
 
 def known(path, without):

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/version.h>
+#include <waker/control/outcome.h>
 #include <waker/simulation/factor_report.h>
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 namespace Waker
@@ -75,22 +77,31 @@ namespace Waker
 
 
   std::string
-  search_conclusion(const FactorSearch &search, const std::size_t n_trials)
+  search_conclusion(const FactorSearch &search, const TrialTable &table)
   {
+    std::set<std::string> outcomes; // of those that did not decide
+    for (const double factor : search.undecided())
+      outcomes.insert(table.find(factor)->outcome);
+    std::string why;
+    for (const std::string &outcome : outcomes)
+      why += (why.empty() ? "" : ", ") + outcome;
+    if (outcomes.count(to_string(Outcome::still_moving)) > 0)
+      why += ": raise \"Time stepping/End time\"";
+
     std::ostringstream text;
     if (search.factor())
       text << "Factor of safety: " << *search.factor() << " (stable at "
            << *search.highest_stable() << ", fails at "
-           << *search.lowest_failed() << ", " << n_trials << " trials)";
+           << *search.lowest_failed() << ", " << table.all().size()
+           << " trials)";
     else if (search.highest_stable() && search.lowest_failed())
       text << "No factor of safety: stable at " << *search.highest_stable()
-           << ", fails at " << *search.lowest_failed() << ", and of "
-           << search.undecided().size()
-           << " factors between them it is not known.";
+           << ", fails at " << *search.lowest_failed()
+           << ", and not decided at " << search.undecided().size()
+           << " factor(s) between them (" << why << ").";
     else if (!search.undecided().empty())
-      text << "No factor of safety: of " << search.undecided().front()
-           << ", an end of the bracket, it is not known whether it is "
-              "stable.";
+      text << "No factor of safety: an end of the bracket, "
+           << search.undecided().front() << ", is not decided (" << why << ").";
     else if (search.lowest_failed())
       text << "Fails at the lower factor " << *search.lowest_failed()
            << " already: lower \"Strength reduction/Lower factor\".";

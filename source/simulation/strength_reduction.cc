@@ -163,7 +163,7 @@ namespace Waker
       write_file(file_path(parameters.output.directory,
                            OutputFile::strength_result),
                  search_json(search, table, strengths, parameters.hash));
-      log.line(search_conclusion(search, table.all().size()));
+      log.line(search_conclusion(search, table));
       for (const double factor : search.undecided())
         if (table.find(factor)->outcome == "numerical failure")
           return RunStatus::numerical_failure;

@@ -132,9 +132,21 @@ def main():
         again = killed.run("--resume", set=in_material)
         check(again == own, "resumed: the same result",
               again["factor_of_safety"])
-        check(killed.trials()[:len(before)] == sorted(
-            before, key=lambda line: float(line.split(",")[0])),
+        check(set(before) <= set(killed.trials()),
               "trials made before the kill are kept", len(before))
+
+        # Stopped while soil still moves: neither stable nor failed.
+        short = reduction("short", False).run(set={
+            **in_material, "Time stepping/End time": 1.2,
+            "Strength reduction/Upper factor": 4})
+        check(short["factor_of_safety"] is None
+              and len(short["undecided_factors"]) > 0,
+              "still moving at the end time: no factor",
+              short["undecided_factors"])
+        outcomes = {line.split(",")[3]
+                    for line in reduction("short").trials()
+                    if ",undecided," in line}
+        check(outcomes == {"still moving"}, "and says why", outcomes)
 
         # Nothing converges: recorded, and not a factor.
         trouble = reduction("trouble", False)
@@ -147,8 +159,8 @@ def main():
               and result["numerical_failures"] == 1
               and result["undecided_factors"] == [0.5],
               "numerical failure: counted, no factor", result)
-        check(trouble.trials()[0].endswith(",3"), "with all attempts",
-              trouble.trials())
+        check([line.split(",")[6] for line in trouble.trials()] == ["3"],
+              "with all attempts", trouble.trials())
     check.exit()
 
 

@@ -24,7 +24,7 @@ namespace Waker
 
   /// The factor of safety, or why there is none.
   std::string
-  search_conclusion(const FactorSearch &search, const std::size_t n_trials);
+  search_conclusion(const FactorSearch &search, const TrialTable &table);
 } // namespace Waker
 
 #endif
