@@ -424,7 +424,7 @@ def campaigns(folders, check):
 
 def main():
     waker, source = sys.argv[1:3]
-    seed = int(sys.argv[3]) if len(sys.argv) > 3 else random.randrange(10**6)
+    seed = int(sys.argv[3]) if len(sys.argv) > 3 else 1
     print(f"seed {seed}")
     check = Checks()
     with tempfile.TemporaryDirectory(prefix="waker-") as place, SmallDisk(

@@ -78,8 +78,7 @@ namespace Waker
                                             FolderMode::must_be_new,
                                             ""),
                       "Output/Directory",
-                      "cannot make the folder '" + folder.file("file/waker") +
-                        "'");
+                      "cannot write '" + folder.file("file/waker") + "'");
     EXPECT_EQ(get(folder.file("file")), "mine");
   }
 
