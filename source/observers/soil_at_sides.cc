@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/grid/background_grid.h>
+#include <waker/observers/soil_at_sides.h>
+#include <waker/particles/material_points.h>
+
+namespace Waker
+{
+  template <int dim>
+  SoilAtSides<dim>
+  soil_at_sides(const BackgroundGrid<dim> &grid,
+                const MaterialPoints<dim> &points)
+  {
+    const double     h = grid.cell_size();
+    SoilAtSides<dim> result;
+    double           volume = 0.;
+    for (std::size_t p = 0; p < points.n_points(); ++p)
+      {
+        volume += points.volume[p];
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            if (d == 1)
+              continue;
+            const double x     = points.position[p][d];
+            const double x0    = points.initial_position[p][d];
+            const double first = grid.lower_corner()[d] + h;
+            const double last  = grid.upper_corner()[d] - h;
+            int          face  = -1;
+            if (x < first && x0 >= first)
+              face = 2 * d;
+            else if (x > last && x0 <= last)
+              face = 2 * d + 1;
+            if (face >= 0)
+              {
+                ++result.n_points[face];
+                result.share[face] += points.volume[p];
+              }
+          }
+      }
+    if (volume > 0.)
+      for (double &share : result.share)
+        share /= volume;
+    return result;
+  }
+
+
+  template SoilAtSides<2>
+  soil_at_sides(const BackgroundGrid<2> &, const MaterialPoints<2> &);
+  template SoilAtSides<3>
+  soil_at_sides(const BackgroundGrid<3> &, const MaterialPoints<3> &);
+} // namespace Waker
