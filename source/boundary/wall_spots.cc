@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/base/sizes.h>
 #include <waker/base/text.h>
 #include <waker/boundary/wall_spots.h>
 #include <waker/particles/polygon.h>
 #include <waker/particles/sub_cells.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -12,6 +14,10 @@ namespace Waker
 {
   namespace
   {
+    /// Spots of a wall, at most.
+    constexpr double largest_wall = 1e7;
+
+
     template <int dim>
     std::vector<Point<dim>>
     read_corners(const std::string &line, const std::string &path)
@@ -67,8 +73,13 @@ namespace Waker
                           "corner " + std::to_string(k + 2) +
                             " repeats the one before it",
                           "corners that differ");
-        const unsigned int n = std::ceil(length / size * (1. - 1e-12));
-        for (unsigned int i = 0; i < n; ++i)
+        const std::uint64_t n =
+          checked_count(path,
+                        std::ceil(length / size * (1. - 1e-12)),
+                        "spots on a wall",
+                        largest_wall,
+                        "a wall inside the grid, or larger cells");
+        for (std::uint64_t i = 0; i < n; ++i)
           spots.push_back({corners[k] + (i + 0.5) / n * edge,
                            Tensor<1, 2>({-edge[1] / length, edge[0] / length}),
                            length / n});
@@ -112,6 +123,15 @@ namespace Waker
         flat += (flat.empty() ? "" : "; ") + to_text(y * e1 / size) + ", " +
                 to_text(y * e2 / size);
       }
+    // Of the box around the polygon; it may be turned.
+    double longest = 0.;
+    for (const Point<3> &x : corners)
+      longest = std::max(longest, (x - corners[0]).norm());
+    checked_count(path,
+                  4. * (longest / size + 1.) * (longest / size + 1.),
+                  "spots on a wall",
+                  largest_wall,
+                  "a wall inside the grid, or larger cells");
     std::vector<WallSpot<3>> spots;
     for (const SubCellPart &part :
          merge_small_parts(cut_sub_cells(parse_polygon(flat, path)), 0.25))

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/base/sizes.h>
 #include <waker/fields/cholesky_field.h>
 #include <waker/fields/covariance_factor.h>
 
@@ -26,6 +27,11 @@ namespace Waker
                         std::to_string(n) + " cells",
                       "at most " + std::to_string(maximum_cells) +
                         " cells, or another generator");
+    // The matrix, its factor, and work space of one of them.
+    require_memory(path + "/Generator",
+                   "is Cholesky, with " + std::to_string(n) + " cells",
+                   3. * sizeof(double) * n * n,
+                   "larger cells, or another generator");
     factor->L =
       covariance_factor(covariance_matrix(correlation.table(lattice.cell_size,
                                                             lattice.n_cells),

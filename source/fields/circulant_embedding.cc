@@ -2,6 +2,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <waker/base/errors.h>
+#include <waker/base/sizes.h>
 #include <waker/fields/circulant_embedding.h>
 
 #include <algorithm>
@@ -158,6 +159,11 @@ namespace Waker
                               "'local average subdivision' or 'Cholesky'");
           }
 
+        // The torus, its roots and its noise; the table of covariances.
+        require_memory(path + "/Cell size",
+                       "makes a torus of " + cells(n_torus, lattice.dim),
+                       32. * n,
+                       "larger cells of the field");
         transform = std::make_unique<Transform>(n_torus, lattice.n_cells);
 
         // First row of the circulant matrix: the lag on a torus is the shorter
@@ -183,6 +189,12 @@ namespace Waker
         for (std::size_t i = 0; i < n; ++i)
           {
             const double eigenvalue = transform->data[i];
+            if (!std::isfinite(eigenvalue))
+              throw UserError(path + "/Scales of fluctuation",
+                              "the covariance on " +
+                                cells(n_torus, lattice.dim) +
+                                " has an eigenvalue that is not finite",
+                              "scales and cells of sizes that one can measure");
             lost += std::max(0., -eigenvalue);
             root[i] = std::sqrt(std::max(0., eigenvalue)) / n;
           }

@@ -86,6 +86,10 @@ namespace Waker
                     const std::string &path,
                     const double       variance)
   {
+    if (!C.allFinite())
+      throw UserError(path + "/Scales of fluctuation",
+                      "the covariance of the field's cells is not finite",
+                      "scales and cells of sizes that one can measure");
     // In place: the factor takes the lower triangle, the upper one keeps C.
     const Eigen::VectorXd diagonal = C.diagonal();
     const double          reference =

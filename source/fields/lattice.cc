@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/sizes.h>
 #include <waker/fields/lattice.h>
 
 #include <algorithm>
@@ -25,5 +26,28 @@ namespace Waker
       i[d] = static_cast<std::size_t>(std::clamp(
         std::floor((x[d] - origin[d]) / cell_size[d]), 0., n_cells[d] - 1.));
     return i[0] + n_cells[0] * (i[1] + n_cells[1] * i[2]);
+  }
+
+
+  void
+  check_lattice_size(const FieldLattice &lattice, const std::string &path)
+  {
+    double      n = 1.;
+    std::string cells;
+    for (unsigned int d = 0; d < lattice.dim; ++d)
+      {
+        n *= lattice.n_cells[d];
+        cells += (d > 0 ? " x " : "") + std::to_string(lattice.n_cells[d]);
+      }
+    checked_count(path + "/Cell size",
+                  n,
+                  "cells of the field (" + cells + ")",
+                  largest_lattice,
+                  "larger cells");
+    // Two numbers per cell, whatever makes them: score and covariance.
+    require_memory(path + "/Cell size",
+                   "makes a field of " + cells + " cells",
+                   16. * n,
+                   "larger cells");
   }
 } // namespace Waker

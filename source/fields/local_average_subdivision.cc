@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/base/sizes.h>
 #include <waker/fields/covariance_factor.h>
 #include <waker/fields/local_average_subdivision.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -51,6 +53,12 @@ namespace Waker
                         " in each direction",
                       "at most " + std::to_string(maximum_cells) +
                         " cells, or another generator");
+
+    require_memory(path + "/Cell size",
+                   "makes " + std::to_string(std::uint64_t(cells)) +
+                     " cells of the subdivision",
+                   3. * sizeof(double) * cells, // noise, and two stages
+                   "larger cells of the field");
 
     std::array<double, 3> size = lattice.cell_size;
     for (unsigned int d = 0; d < dim; ++d)

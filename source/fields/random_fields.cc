@@ -43,6 +43,30 @@ namespace Waker
           }
       return L;
     }
+
+
+    /// Cells so much larger than the field's scales average it to nothing, and
+    /// their correlation is beyond double precision.
+    void
+    check_scales(const RandomFieldParameters &field,
+                 const FieldLattice          &lattice,
+                 const std::string           &path)
+    {
+      constexpr double most = 1e6; // cell by scale
+      for (unsigned int d = 0; d < lattice.dim; ++d)
+        if (!(lattice.cell_size[d] <= most * field.scales[d]))
+          {
+            std::ostringstream problem, allowed;
+            problem << "contains " << field.scales[d]
+                    << " m, but the field's cells are " << lattice.cell_size[d]
+                    << " m long along "
+                    << "xyz"[d];
+            allowed << "at least " << lattice.cell_size[d] / most << " m";
+            throw UserError(path + "/Scales of fluctuation",
+                            problem.str(),
+                            allowed.str());
+          }
+    }
   } // namespace
 
 
@@ -55,6 +79,7 @@ namespace Waker
       {
         const RandomFieldParameters &p    = parameters.fields[f];
         const std::string            path = "Random fields/" + p.name;
+        check_scales(p, lattices[f], path);
         const Correlation correlation(Correlation::function(p.correlation),
                                       p.scales);
         Field             field;

@@ -7,10 +7,15 @@
 #include <deal.II/grid/tria.h>
 
 #include <waker/base/errors.h>
+#include <waker/base/sizes.h>
 #include <waker/grid/background_grid.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <sstream>
 #include <string>
+#include <vector>
 
 namespace Waker
 {
@@ -30,8 +35,14 @@ namespace Waker
 
   namespace
   {
-    /// Number of cells of size h between a and b.
-    unsigned int
+    /// Bytes per cell that deal.II's triangulation and degrees of freedom
+    /// take while they are made; measured.
+    template <int dim>
+    constexpr double bytes_per_cell = dim == 2 ? 1000. : 3000.;
+
+
+    /// Number of cells of size h between a and b; not limited yet.
+    double
     count_cells(const double a, const double b, const double h)
     {
       if (!(h > 0.))
@@ -52,7 +63,50 @@ namespace Waker
                           std::to_string(b) + " m is no multiple of the " +
                           "cell size " + std::to_string(h) + " m",
                         "an upper corner at a whole number of cells");
-      return static_cast<unsigned int>(n);
+      return n;
+    }
+
+
+    /// The numbers of cells in each direction, margin included: all that is
+    /// counted on the grid has to fit into 32 bits, and all of it into memory.
+    template <int dim>
+    std::vector<unsigned int>
+    count_all_cells(const Point<dim> &lower,
+                    const Point<dim> &upper,
+                    const double      h)
+    {
+      constexpr unsigned int  margin = BackgroundGrid<dim>::margin;
+      std::array<double, dim> n;
+      double                  n_cells = 1., n_dofs = dim;
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          n[d] = count_cells(lower[d], upper[d], h) + 2 * margin;
+          n_cells *= n[d];
+          n_dofs *= n[d] + 1;
+        }
+      const std::string where  = "Grid/Cell size";
+      const std::string advice = "larger cells, or a smaller box";
+      checked_count(where, n_dofs, "unknowns on the grid", 2147483647., advice);
+      std::ostringstream what;
+      what << "is " << h << " m: " << n_cells << " cells";
+      require_memory(where, what.str(), bytes_per_cell<dim> * n_cells, advice);
+
+      // So far away positions have too few digits left within a cell.
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          const double far = std::max(std::abs(lower[d]), std::abs(upper[d]));
+          if (!(far <= 1e9 * h))
+            {
+              std::ostringstream place;
+              place << "the box reaches to " << far << " m in direction "
+                    << "xyz"[d] << ", with cells of " << h
+                    << " m: too far from 0 for exact positions";
+              throw UserError(where,
+                              place.str(),
+                              "coordinates up to 1e9 cells from 0");
+            }
+        }
+      return std::vector<unsigned int>(n.begin(), n.end());
     }
   } // namespace
 
@@ -71,11 +125,11 @@ namespace Waker
     , mpi_communicator(communicator)
     , deal_ii(std::make_unique<DealII>())
   {
-    std::vector<unsigned int> n_cells(dim);
-    Point<dim>                outer_upper;
+    const std::vector<unsigned int> n_cells =
+      count_all_cells<dim>(lower, upper, h);
+    Point<dim> outer_upper;
     for (unsigned int d = 0; d < dim; ++d)
       {
-        n_cells[d]    = count_cells(lower[d], upper[d], h) + 2 * margin;
         n_nodes_1d[d] = n_cells[d] + 1;
         strides[d]    = n_nodes_total;
         n_nodes_total *= n_nodes_1d[d];

@@ -97,7 +97,8 @@ namespace Waker
         const double norm = std::sqrt(dot(r, r));
         if (report.iterations == 0)
           target = tolerance * norm;
-        report.converged = norm <= target;
+        // Infinity is not below infinity times the tolerance.
+        report.converged = std::isfinite(norm) && norm <= target;
         if (report.converged || report.iterations >= max_iterations ||
             !std::isfinite(norm))
           break;
@@ -127,8 +128,8 @@ namespace Waker
                 H[i + 1][m]        = -s[i] * upper + c[i] * H[i + 1][m];
               }
             const double radius = std::hypot(H[m][m], length);
-            if (!(radius > 0.))
-              break; // A is singular: no more to be had
+            if (!(radius > 0. && std::isfinite(radius)))
+              break; // A is singular, or no number: no more to be had
             c[m]     = H[m][m] / radius;
             s[m]     = length / radius;
             H[m][m]  = radius;

@@ -16,6 +16,7 @@
 #include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace Waker
@@ -188,9 +189,12 @@ namespace Waker
             report.converged = true; // no load
             break;
           }
-        report.residuals.push_back(norm / reference);
-        report.converged = norm <= tolerance * reference;
-        if (report.converged || iteration == 20)
+        // Infinity is not below infinity times the tolerance.
+        const bool finite = std::isfinite(norm);
+        report.residuals.push_back(
+          finite ? norm / reference : std::numeric_limits<double>::infinity());
+        report.converged = finite && norm <= tolerance * reference;
+        if (report.converged || !finite || iteration == 20)
           break;
 
         if constexpr (dim == 2)

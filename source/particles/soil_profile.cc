@@ -3,6 +3,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <waker/base/errors.h>
+#include <waker/base/sizes.h>
 #include <waker/particles/layer.h>
 #include <waker/particles/rows.h>
 #include <waker/particles/soil_profile.h>
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <utility>
 
 namespace Waker
@@ -165,6 +167,46 @@ namespace Waker
     }
 
 
+    /// Is there memory for cutting the layers, and for their points?
+    template <int dim>
+    void
+    check_size(const BackgroundGrid<dim>     &grid,
+               const std::vector<Layer<dim>> &layers,
+               const unsigned int             points_per_direction)
+    {
+      const double size     = grid.cell_size() / points_per_direction;
+      double       n_points = 0., n_cut = 0.;
+      for (const Layer<dim> &layer : layers)
+        {
+          n_points += layer.volume() / std::pow(size, dim);
+          double squares = 1.;
+          for (unsigned int d = 0; d < 2; ++d)
+            {
+              const auto [low, high] =
+                std::minmax_element(layer.corners.begin(),
+                                    layer.corners.end(),
+                                    [d](const auto &a, const auto &b) {
+                                      return a[d] < b[d];
+                                    });
+              squares *= ((*high)[d] - (*low)[d]) / size + 2.;
+            }
+          n_cut = std::max(n_cut, squares);
+        }
+      // Per square: two sets of moments, a part, and one after merging. Per
+      // point: a seed and its copy while they are sorted, and the arrays.
+      const double per_square = 2. * 24. + 2. * sizeof(SubCellPart);
+      const double per_point =
+        2. * sizeof(Seed<dim>) + 8. * (5 + 5 * dim + 6 + 4);
+      std::ostringstream what;
+      what << "is " << points_per_direction << ": " << n_points
+           << " material points";
+      require_memory("Material points/Points per direction",
+                     what.str(),
+                     per_square * n_cut + per_point * n_points,
+                     "fewer of them, or larger cells");
+    }
+
+
     template <int dim>
     std::vector<Seed<dim>>
     make_seeds(const BackgroundGrid<dim>     &grid,
@@ -245,6 +287,7 @@ namespace Waker
         mass += layers.back().volume() * densities[layers.back().material];
       }
     check_overlap(layers);
+    check_size(grid, layers, parameters.points_per_direction);
 
     const std::vector<Seed<dim>> seeds = make_seeds(grid, layers, parameters);
     const std::size_t            n     = seeds.size();

@@ -42,8 +42,8 @@ namespace Waker
             first[d] = static_cast<int>(std::floor(low[d]));
             n[d] = std::max(1, static_cast<int>(std::ceil(high[d])) - first[d]);
           }
-        inside.resize(n[0] * n[1]);
-        rest_of_row.resize(n[0] * n[1]);
+        inside.resize(std::size_t(n[0]) * n[1]);
+        rest_of_row.resize(inside.size());
         for (std::size_t k = 0; k < corners.size(); ++k)
           add_edge(corners[k], corners[(k + 1) % corners.size()]);
       }
@@ -57,11 +57,12 @@ namespace Waker
             Moments left; // what the squares to the left hand on
             for (int i = 0; i < n[0]; ++i)
               {
-                const Moments &own    = inside[j * n[0] + i];
-                const Moments  square = {own.area + left.area,
-                                         own.x + left.x,
-                                         own.y + left.y};
-                const Moments &more   = rest_of_row[j * n[0] + i];
+                const std::size_t k      = std::size_t(j) * n[0] + i;
+                const Moments    &own    = inside[k];
+                const Moments     square = {own.area + left.area,
+                                            own.x + left.x,
+                                            own.y + left.y};
+                const Moments    &more   = rest_of_row[k];
                 left.area += more.area;
                 left.x += more.x;
                 left.y += more.y;
@@ -143,7 +144,7 @@ namespace Waker
             const bool   last   = k == end - 1;
             const double next_x = last ? x1 : x1 >= x0 ? i + 1. : i;
             const double next_y = last ? y1 : y_at(next_x);
-            add_piece(j * n[0] + i, x - i, y, next_x - i, next_y);
+            add_piece(std::size_t(j) * n[0] + i, x - i, y, next_x - i, next_y);
             x = next_x;
             y = next_y;
           }
@@ -152,11 +153,11 @@ namespace Waker
       /// Add what lies to the right of a piece inside one square: positive if
       /// it runs down, since an anticlockwise polygon then lies on that side.
       void
-      add_piece(const int    square,
-                const double x0,
-                const double y0,
-                const double x1,
-                const double y1)
+      add_piece(const std::size_t square,
+                const double      x0,
+                const double      y0,
+                const double      x1,
+                const double      y1)
       {
         const double height = y0 - y1;
         const double y_mean = (y0 + y1) / 2.;

@@ -216,8 +216,7 @@ namespace Waker
 
       try
         {
-          input->simulation.check();
-          input->reliability.check(input->simulation.dimension);
+          input->check();
           input->simulation.hash = hash_of_steps(values);
           input->campaign_hash   = hash_of_records(values);
         }

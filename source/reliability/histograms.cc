@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/exceptions.h>
 
+#include <waker/base/sizes.h>
 #include <waker/reliability/estimates.h>
 #include <waker/reliability/histograms.h>
 
@@ -24,6 +25,19 @@ namespace Waker
   histogram(const std::vector<OutcomeValue> &values, const double bin_width)
   {
     Assert(bin_width > 0., dealii::ExcInternalError());
+    // Not of input only: of what stands in journals, too.
+    double lowest = 0., highest = 0.;
+    for (const OutcomeValue &v : values)
+      if (std::isfinite(v.value))
+        {
+          lowest  = std::min(lowest, v.value);
+          highest = std::max(highest, v.value);
+        }
+    checked_count("Histograms",
+                  (highest - lowest) / bin_width,
+                  "bins",
+                  most_bins,
+                  "wider bins");
     const auto bin_of = [bin_width](const double value) {
       return static_cast<std::int64_t>(std::floor(value / bin_width + 1e-9));
     };

@@ -2,6 +2,7 @@
 #include <waker/base/errors.h>
 #include <waker/base/random_numbers.h>
 #include <waker/reliability/field_moments.h>
+#include <waker/base/sizes.h>
 #include <waker/reliability/random_properties.h>
 
 #include <algorithm>
@@ -42,7 +43,8 @@ namespace Waker
     template <int dim>
     FieldLattice
     make_lattice(const Case<dim>           &the_case,
-                 const std::vector<double> &cell_size)
+                 const std::vector<double> &cell_size,
+                 const std::string         &path)
     {
       const MaterialPoints<dim> &points = the_case.initial_points;
       FieldLattice               lattice;
@@ -65,7 +67,12 @@ namespace Waker
             }
           lattice.cell_size[d] = size;
           lattice.origin[d]    = corner + first * size;
-          lattice.n_cells[d]   = static_cast<unsigned int>(last - first) + 1;
+          lattice.n_cells[d]   = static_cast<unsigned int>(
+            checked_count(path + "/Cell size",
+                          last - first + 1.,
+                          std::string("cells of the field along ") + "xyz"[d],
+                          largest_lattice,
+                          "larger cells"));
         }
       return lattice;
     }
@@ -135,7 +142,8 @@ namespace Waker
                       {},
                       {},
                       {}};
-        lattices.push_back(make_lattice(the_case, field.cell_size));
+        lattices.push_back(make_lattice(the_case, field.cell_size, path));
+        check_lattice_size(lattices.back(), path);
         for (std::size_t q = 0; q < points.n_points(); ++q)
           if (points.material[q] == material)
             {

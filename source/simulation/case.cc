@@ -9,6 +9,7 @@
 #include <waker/particles/polygon.h>
 #include <waker/simulation/case.h>
 #include <waker/simulation/initial_properties.h>
+#include <waker/simulation/sizes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -87,6 +88,7 @@ namespace Waker
       .set(layers_of_points, initial_points);
     if (p.mapping.domains == "stretched")
       prepare_deformation(initial_points);
+    check_run_sizes(run_sizes(*this), p);
     set_initial_state();
   }
 
@@ -160,6 +162,9 @@ namespace Waker
     for (std::size_t i = 0; i < scene.tractions.size(); ++i)
       initial_tractions.push_back(
         scene.tractions.resultant(i, scene.nodes.mass));
+    if (!std::isfinite(scene.nodes.external_force.l2_norm()))
+      throw NumericalFailure("the loads at t = 0 are not finite: is a unit "
+                             "weight, a traction or a force too large?");
     initial_wall_tractions.resize(scene.walls.n_spots());
     scene.walls.reinit(scene.nodes.mass, 0., initial_wall_tractions);
     if (parameters.gravity.initial_stress)

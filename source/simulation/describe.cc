@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/log.h>
+#include <waker/base/sizes.h>
 #include <waker/base/version.h>
 #include <waker/mechanics/time_scheme.h>
 #include <waker/simulation/describe.h>
+#include <waker/simulation/sizes.h>
 
 #include <cmath>
 #include <cstdio>
@@ -21,20 +23,6 @@ namespace Waker
       // The unused last argument keeps a format without arguments legal.
       std::snprintf(text, sizeof text, format, arguments..., 0);
       log.line(text);
-    }
-
-
-    /// Anonymous memory that the points and their work space take, in MB: an
-    /// estimate, to warn before a large case starts.
-    template <int dim>
-    double
-    expected_memory(const std::size_t n_points, const std::size_t n_nodes)
-    {
-      const double per_point =
-        8. * (4 + 7 * dim + 2 * 6 + 8 + 6 * dim) +
-        sizeof(typename StressUpdate<dim>::BlockTangent) / Material::block_size;
-      const double per_node = 8. * (2 + 20 * dim);
-      return 1e-6 * (per_point * n_points + per_node * n_nodes);
     }
   } // namespace
 
@@ -148,9 +136,11 @@ namespace Waker
           "  gravity   in-situ stress after %zu solve(s), residual %.1e",
           the_case.gravity_report.residuals.size() - 1,
           the_case.gravity_report.residuals.back());
-    say(log,
-        "  memory    about %.0f MB for points and nodes",
-        expected_memory<dim>(points.n_points(), the_case.grid.n_nodes()));
+    const RunSizes sizes = run_sizes(the_case);
+    log.line("  effort    up to " + count_text(sizes.steps) + " steps: about " +
+             duration_text(sizes.computing) + " of computing, " +
+             bytes_text(sizes.memory) + " of memory, " +
+             bytes_text(sizes.disk) + " of files");
   }
 
 

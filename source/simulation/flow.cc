@@ -157,6 +157,16 @@ namespace Waker
                              materials[m]->density(),
                              variables);
         const Feeder<dim> &feeder = feeders.back();
+        if (!(inflow.velocity * parameters.time.time_step <=
+              grid.cell_size() * (1. + 1e-9)))
+          throw UserError("Inflow/" + inflow.name + "/Velocity",
+                          "is " + to_text(inflow.velocity) +
+                            " m/s: more than a cell in a time step of " +
+                            to_text(parameters.time.time_step) + " s",
+                          "at most " +
+                            to_text(grid.cell_size() /
+                                    parameters.time.time_step) +
+                            " m/s, or a shorter time step");
         for (const FixityParameters &condition : all_conditions)
           if (overlaps<dim>(condition,
                             face,

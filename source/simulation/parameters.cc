@@ -3,6 +3,7 @@
 
 #include <waker/base/checks.h>
 #include <waker/base/errors.h>
+#include <waker/base/sizes.h>
 #include <waker/simulation/parameters.h>
 
 #include <algorithm>
@@ -197,6 +198,11 @@ namespace Waker
                         number(lower_factor),
                       "above the lower factor");
     require_positive("Strength reduction/Tolerance", tolerance);
+    checked_count("Strength reduction/Tolerance",
+                  (upper_factor - lower_factor) / tolerance,
+                  "steps between the two factors",
+                  1e6,
+                  "a larger tolerance");
   }
 
 

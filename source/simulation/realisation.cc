@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace Waker
 {
@@ -15,6 +16,36 @@ namespace Waker
   {
     /// After this many steps at a halved time step it is doubled again.
     constexpr unsigned int steps_before_doubling = 4;
+
+
+    /// What a step gives has to be numbers: a comparison with anything else is
+    /// false, and would pass for rest.
+    /// @throws NumericalFailure with the name of what is not
+    template <int dim>
+    void
+    check_finite(const StepReport<dim> &report, const double time)
+    {
+      const std::pair<const char *, double> values[] = {
+        {"displacement rate", report.displacement_rate},
+        {"plastic strain", report.mean_plastic_strain},
+        {"kinetic energy", report.kinetic_energy},
+        {"elastic energy", report.elastic_energy},
+        {"dissipation", report.dissipation},
+        {"work of the weight", report.gravity_work},
+        {"work of the loads", report.water_work},
+        {"work of the supports", report.support_work},
+        {"work of the ramp", report.ramp_work},
+        {"mapping loss", report.mapping_loss}};
+      for (const auto &[name, value] : values)
+        if (!std::isfinite(value))
+          {
+            std::ostringstream message;
+            message << "the " << name
+                    << " of the step that ends at t = " << time
+                    << " s is not finite";
+            throw NumericalFailure(message.str());
+          }
+    }
   } // namespace
 
 
@@ -181,6 +212,7 @@ namespace Waker
       for (std::vector<Point<dim>> &vertices : state->surface_vertices)
         carry_vertices(the_case->grid, scene.nodes, vertices);
 
+    check_finite(report, state->time + dt);
     state->time += dt;
     ++state->step;
     state->last_dt             = dt;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 
 namespace Waker
 {
@@ -41,6 +42,18 @@ namespace Waker
     std::size_t
     cell_of(const std::array<double, 3> &x) const;
   };
+
+  /// Cells of a lattice in one direction, and of all of it, at most: an
+  /// embedding has 2^dim times as many, and still has to be numbered.
+  constexpr double largest_lattice = 268435456.; // 2^28
+
+  /**
+   * @param path of the field, "Random fields/strength"
+   * @throws UserError (Cell size) if there are too many cells in all, or for
+   *         the memory that is there
+   */
+  void
+  check_lattice_size(const FieldLattice &lattice, const std::string &path);
 } // namespace Waker
 
 #endif

@@ -25,11 +25,15 @@ namespace Waker
     Outcome outcome;
   };
 
+  constexpr double most_bins = 1e5;
+
   /**
    * Bins of equal width from 0 (from below, if a value is negative) to the
    * highest value, empty ones included. A value within 1e-9 widths below a
    * bin's end counts as on it. Values that are not finite, numerical failures
    * and what is undecided are left out; no bins if nothing remains.
+   *
+   * @throws UserError "Histograms" if there would be more than most_bins
    */
   std::vector<HistogramBin>
   histogram(const std::vector<OutcomeValue> &values, const double bin_width);

@@ -36,6 +36,10 @@ namespace Waker
     /// Of all that decides the records of a realisation: also stop rules and
     /// seed, but neither output nor the number of realisations nor the sweep.
     std::string campaign_hash;
+
+    /// All checks that need no grid. @throws UserError
+    void
+    check() const;
   };
 } // namespace Waker
 
