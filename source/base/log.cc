@@ -69,6 +69,9 @@ namespace Waker
   void
   Log::line(const std::string &text)
   {
+    const std::string mark = warning_mark;
+    if (text.rfind(mark, 0) == 0)
+      all_warnings.push_back(text.substr(mark.size()));
     // Flushed each time: the last lines matter most if a run is killed.
     if (screen != nullptr)
       {
@@ -85,6 +88,13 @@ namespace Waker
                   << std::endl;
         file_failed = true;
       }
+  }
+
+
+  void
+  Log::warning(const std::string &text)
+  {
+    line(warning_mark + text);
   }
 
 

@@ -235,6 +235,22 @@ namespace Waker
   }
 
 
+  double
+  Marginal::share_beyond(const double mean, const double sd) const
+  {
+    if (type == Kind::truncated_normal || type == Kind::beta || !(sd > 0.))
+      return 0.;
+    const auto below = [&](const double limit) {
+      return std::isinf(limit) ? 0. : Phi(normal_score(limit, mean, sd));
+    };
+    const auto above = [&](const double limit) {
+      return std::isinf(limit) ? 0. : Phi(-normal_score(limit, mean, sd));
+    };
+    const bool none_below = type == Kind::lognormal && !(minimum > 0.);
+    return (none_below ? 0. : below(minimum)) + above(maximum);
+  }
+
+
   std::string
   Marginal::value_problem(const double value,
                           const double mean,

@@ -129,23 +129,35 @@ namespace Waker
     std::vector<std::string> lines;
     for (const Field &field : fields)
       {
-        const std::string  start = "Random field \"" + field.name + "\": ";
-        std::ostringstream cells, few;
+        std::ostringstream cells;
         for (unsigned int d = 0; d < field.lattice.dim; ++d)
-          {
-            const double n = field.scales[d] / field.lattice.cell_size[d];
-            cells << (d > 0 ? " x " : ", ") << std::setprecision(3) << n;
-            if (n < fewest_cells * (1. - 1e-9))
-              few << (few.tellp() > 0 ? " and " : "") << "xyz"[d];
-          }
+          cells << (d > 0 ? " x " : ", ") << std::setprecision(3)
+                << field.scales[d] / field.lattice.cell_size[d];
         lines.push_back(
-          start + field.generator->description() + cells.str() +
+          "Random field \"" + field.name +
+          "\": " + field.generator->description() + cells.str() +
           " cells per scale of fluctuation" +
           (field.conditioning ? ", " + field.conditioning->description() : ""));
+      }
+    return lines;
+  }
+
+
+  std::vector<std::string>
+  RandomFields::warnings() const
+  {
+    std::vector<std::string> lines;
+    for (const Field &field : fields)
+      {
+        std::ostringstream few;
+        for (unsigned int d = 0; d < field.lattice.dim; ++d)
+          if (field.scales[d] / field.lattice.cell_size[d] <
+              fewest_cells * (1. - 1e-9))
+            few << (few.tellp() > 0 ? " and " : "") << "xyz"[d];
         if (few.tellp() > 0)
-          lines.push_back(start +
-                          "Warning: fewer than 4 cells per scale of "
-                          "fluctuation along " +
+          lines.push_back("Random fields/" + field.name +
+                          ": fewer than 4 cells per scale of fluctuation "
+                          "along " +
                           few.str() +
                           ": averages over such cells lose what varies within "
                           "a scale; smaller cells would keep it");

@@ -4,7 +4,6 @@
 #include <deal.II/lac/solver_control.h>
 
 #include <waker/mapping/stencil.h>
-#include <waker/materials/linear_elastic.h>
 #include <waker/mechanics/consistent_tangent.h>
 #include <waker/mechanics/gravity_step.h>
 #include <waker/mechanics/static_factorisation.h>
@@ -18,30 +17,13 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace Waker
 {
   namespace
   {
     constexpr double relative_shift = 1e-6; // of the diagonal
-
-
-    /// The elastic part of each material.
-    Materials
-    elastic_materials(const Materials &materials)
-    {
-      Materials elastic;
-      for (const auto &m : materials)
-        {
-          const double K = m->bulk_modulus(), G = m->shear_modulus();
-          elastic.push_back(
-            std::make_unique<LinearElastic>(m->density(),
-                                            9. * K * G / (3. * K + G),
-                                            (3. * K - 2. * G) /
-                                              (2. * (3. * K + G))));
-        }
-      return elastic;
-    }
 
 
     /// (1 + shift) diag K on top of K, for conjugate gradients.
@@ -140,8 +122,13 @@ namespace Waker
                MaterialPoints<dim> &points,
                const Walls<dim>    *walls)
   {
-    const Materials        elastic = elastic_materials(materials);
-    StressUpdate<dim>      stress_update(elastic, /*objective_rate=*/false);
+    const ElasticMixture elastic =
+      elastic_mixture(materials, weights.background_grid(), points);
+    // For this step the points are of these materials.
+    const std::vector<std::uint32_t> own_materials =
+      std::exchange(points.material, elastic.of_point);
+    StressUpdate<dim>      stress_update(elastic.materials,
+                                    /*objective_rate=*/false);
     ConsistentTangent<dim> tangent(weights);
     NodalVector            R, correction;
     R.reinit(nodes.external_force);
@@ -166,7 +153,8 @@ namespace Waker
                                                             walls);
 
     GravityReport report;
-    double        reference = 0.;
+    report.mixed_cells = elastic.cells;
+    double reference   = 0.;
     for (unsigned int iteration = 0; iteration <= 20; ++iteration)
       {
         R = nodes.external_force;
@@ -216,6 +204,7 @@ namespace Waker
           walls->add_internal_force(nodes.increment, nodes.internal_force);
       }
     stress_update.accept(points);
+    points.material = own_materials;
     return report;
   }
 

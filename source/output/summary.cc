@@ -53,6 +53,13 @@ namespace Waker
     }
 
 
+    void
+    from_json(const Json &json, std::vector<std::string> &value)
+    {
+      value = json.get<std::vector<std::string>>();
+    }
+
+
     template <typename Integer>
     void
     from_json(const Json &json, Integer &value)
@@ -140,6 +147,7 @@ namespace Waker
       f("particles", s.particles);
       f("vanished_tractions", s.vanished_tractions);
       f("wall_time", s.wall_time);
+      f("warnings", s.warnings);
       f("parameters_hash", s.parameters_hash);
       f("version", s.version);
       f("compiler", s.compiler);
@@ -186,7 +194,9 @@ namespace Waker
                           "versions up to " +
                             std::to_string(current_schema_version));
         for_each_member(summary, [&](const char *const key, auto &member) {
-          if (!is_new<std::decay_t<decltype(member)>> || json.contains(key))
+          const bool is_later = std::string(key) == "warnings";
+          if (!(is_later || is_new<std::decay_t<decltype(member)>>) ||
+              json.contains(key))
             from_json(json.at(key), member);
         });
         for_each_later_member(summary,

@@ -3,6 +3,7 @@
 
 #include <waker/base/errors.h>
 #include <waker/particles/point_loads.h>
+#include <waker/particles/polygon.h>
 
 #include <limits>
 
@@ -60,6 +61,7 @@ namespace Waker
     template <int dim>
     std::vector<std::size_t>
     loaded_points(const PointLoadParameters &load,
+                  const double               cell_size,
                   const MaterialPoints<dim> &points)
     {
       Point<dim> from, to;
@@ -83,6 +85,12 @@ namespace Waker
                   best     = p;
                 }
             }
+          if (points.n_points() > 0 && !(shortest <= cell_size))
+            throw UserError("Point loads/" + load.name + "/From",
+                            "is " + to_text(shortest) +
+                              " m from the nearest material point",
+                            "a place in the soil, or at most a cell (" +
+                              to_text(cell_size) + " m) from its points");
           if (points.n_points() > 0)
             list.push_back(best);
           return list;
@@ -109,6 +117,7 @@ namespace Waker
   template <int dim>
   void
   apply_point_loads(const std::vector<PointLoadParameters> &loads,
+                    const double                            cell_size,
                     MaterialPoints<dim>                    &points)
   {
     if (loads.empty())
@@ -116,8 +125,9 @@ namespace Waker
     points.load.assign(points.n_points(), Tensor<1, dim>());
     for (const PointLoadParameters &load : loads)
       {
-        const std::vector<std::size_t> list   = loaded_points(load, points);
-        double                         volume = 0.;
+        const std::vector<std::size_t> list =
+          loaded_points(load, cell_size, points);
+        double volume = 0.;
         for (const std::size_t p : list)
           volume += points.volume[p];
         if (list.empty())
@@ -133,8 +143,10 @@ namespace Waker
 
   template void
   apply_point_loads(const std::vector<PointLoadParameters> &,
+                    const double,
                     MaterialPoints<2> &);
   template void
   apply_point_loads(const std::vector<PointLoadParameters> &,
+                    const double,
                     MaterialPoints<3> &);
 } // namespace Waker

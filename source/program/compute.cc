@@ -11,6 +11,7 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <unistd.h>
 
 namespace Waker
 {
@@ -19,13 +20,35 @@ namespace Waker
     /// The signal that asked the run to end, or 0. A handler can reach no
     /// other memory; the run sees it through RunOptions only.
     volatile std::sig_atomic_t received_signal = 0;
+    /// Is there something to leave whole?
+    volatile std::sig_atomic_t something_is_written = 0;
 
 
+    /// Before anything is written a signal ends the program at once: reading
+    /// and setting up may take minutes, part of them in libraries. Afterwards
+    /// the run leaves its files whole.
     extern "C" void
     note_signal(int signal)
     {
+      if (something_is_written == 0)
+        _exit(signal_offset + signal);
       received_signal = signal;
       std::signal(signal, SIG_DFL); // the second one ends at once
+    }
+
+
+    void
+    obey_signals()
+    {
+      std::signal(SIGINT, note_signal);
+      std::signal(SIGTERM, note_signal);
+    }
+
+
+    void
+    begin_writing()
+    {
+      something_is_written = 1;
     }
 
 
@@ -106,10 +129,11 @@ namespace Waker
                         "one rank per realisation for now; waker campaign "
                         "takes any number");
       RunOptions options;
-      options.validate_only = line.validate_only;
-      options.resume        = line.resume;
-      options.overwrite     = line.overwrite;
-      options.interrupt     = &received_signal;
+      options.validate_only  = line.validate_only;
+      options.resume         = line.resume;
+      options.overwrite      = line.overwrite;
+      options.interrupt      = &received_signal;
+      options.before_writing = begin_writing;
 
       const bool is_random = !input.reliability.fields.fields.empty();
       if (!is_random && line.realisation)
@@ -147,15 +171,16 @@ namespace Waker
                         "is empty: all realisations would be the same",
                         "at least one random field");
       CampaignOptions options;
-      options.validate_only = line.validate_only;
-      options.resume        = line.resume;
-      options.overwrite     = line.overwrite;
-      options.is_part       = line.is_part;
-      options.chunk         = line.chunk;
-      options.n_chunks      = line.n_chunks;
-      options.first         = line.first;
-      options.last          = line.last;
-      options.interrupt     = &received_signal;
+      options.validate_only  = line.validate_only;
+      options.resume         = line.resume;
+      options.overwrite      = line.overwrite;
+      options.is_part        = line.is_part;
+      options.chunk          = line.chunk;
+      options.n_chunks       = line.n_chunks;
+      options.first          = line.first;
+      options.last           = line.last;
+      options.interrupt      = &received_signal;
+      options.before_writing = begin_writing;
       return exit_code(run_campaign<dim>(scenarios, options, MPI_COMM_WORLD) ==
                            CampaignStatus::completed
                          ? RunStatus::completed
@@ -183,6 +208,7 @@ namespace Waker
   int
   compute(const CommandLine &line, char **argv)
   {
+    obey_signals();
     ParameterLocations locations;
     const Scenarios    scenarios =
       read_scenarios(line.file, line.overrides, &locations);
@@ -193,8 +219,7 @@ namespace Waker
     char **arguments   = name;
     prepare_single_rank();
     const Utilities::MPI::MPI_InitFinalize mpi(n_arguments, arguments, 1);
-    std::signal(SIGINT, note_signal);
-    std::signal(SIGTERM, note_signal);
+    obey_signals(); // MPI and PETSc have handlers of their own
     try
       {
         try

@@ -205,6 +205,8 @@ namespace Waker
     Log log =
       rank == 0 ? Log(std::cout, n_ranks == 1 && Log::is_terminal()) : Log();
     std::unique_ptr<CampaignWriter> campaign_writer;
+    if (options.before_writing && !options.validate_only)
+      options.before_writing();
     if (rank == 0 && !options.validate_only)
       {
         PreparedFolder prepared =
@@ -218,6 +220,8 @@ namespace Waker
     describe_case(runners[0]->first_case(), log);
     for (const std::string &line : runners[0]->properties().description())
       log.line(line);
+    for (const std::string &warning : runners[0]->properties().warnings())
+      log.warning(warning);
     log.line(campaign_text(info, n_ranks));
     if (options.validate_only)
       {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
 #include <waker/base/random_numbers.h>
-#include <waker/reliability/field_moments.h>
 #include <waker/base/sizes.h>
+#include <waker/reliability/field_moments.h>
 #include <waker/reliability/random_properties.h>
 
 #include <algorithm>
@@ -15,6 +15,10 @@ namespace Waker
 {
   namespace
   {
+    /// More of a distribution than this beyond its limits is worth a warning.
+    constexpr double largest_share_beyond = 0.01;
+
+
     /// "3.5, 2".
     std::string
     place_text(const unsigned int dim, const std::array<double, 3> &x)
@@ -158,6 +162,11 @@ namespace Waker
                                 "is " + std::to_string(deviation) + " at (" +
                                   place_text(dim, coordinates(x)) + ")",
                                 "a finite number of at least 0 (kPa)");
+              else if (!(mean >= field.minimum && mean <= largest))
+                problem = "is " + std::to_string(mean) +
+                          ", beyond the limits " +
+                          std::to_string(field.minimum) + " and " +
+                          std::to_string(largest);
               else if (deviation > 0.)
                 problem = target.marginal.problem(mean, deviation);
               if (!problem.empty())
@@ -323,6 +332,43 @@ namespace Waker
   {
     return fields == nullptr ? std::vector<std::string>()
                              : fields->description();
+  }
+
+
+  template <int dim>
+  std::vector<std::string>
+  RandomProperties<dim>::warnings() const
+  {
+    if (fields == nullptr)
+      return {};
+    std::vector<std::string> lines = fields->warnings();
+    for (const Target &target : targets)
+      {
+        double      most = 0.;
+        std::size_t at   = 0;
+        for (std::size_t i = 0; i < target.points.size(); ++i)
+          if (target.standard_deviation[i] > 0.)
+            {
+              const double share =
+                target.marginal.share_beyond(target.mean[i],
+                                             target.standard_deviation[i]);
+              if (share > most)
+                {
+                  most = share;
+                  at   = i;
+                }
+            }
+        if (!(most > largest_share_beyond))
+          continue;
+        std::ostringstream text;
+        text << target.path << ": with mean " << target.mean[at]
+             << " and standard deviation " << target.standard_deviation[at]
+             << " kPa the limits cut off " << 100. * most
+             << " % of the distribution, which becomes the limit itself: mean "
+                "and deviation will be others";
+        lines.push_back(text.str());
+      }
+    return lines;
   }
 
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/log.h>
 #include <waker/reliability/random_properties.h>
 #include <waker/reliability/realisation_setup.h>
 
@@ -49,6 +50,8 @@ namespace Waker
                        state);
       std::vector<std::string> lines = properties.description();
       lines.push_back(mean_and_least("This is " + title, properties, state));
+      for (const std::string &warning : properties.warnings())
+        lines.push_back(Log::warning_mark + warning);
       return lines;
     };
   }

@@ -82,7 +82,7 @@ namespace Waker
       grid, p.layers, p.points, names, densities, &layers_of_points);
     flow.fill(initial_points);
     layers_of_points.resize(initial_points.n_points(), depths.n_layers());
-    apply_point_loads(p.point_loads, initial_points);
+    apply_point_loads(p.point_loads, p.grid.cell_size, initial_points);
     declare_material_variables(materials, initial_points);
     InitialProperties<dim>(materials, depths)
       .set(layers_of_points, initial_points);

@@ -4,6 +4,7 @@
 #include <waker/base/version.h>
 #include <waker/mechanics/time_scheme.h>
 #include <waker/simulation/describe.h>
+#include <waker/simulation/plausibility.h>
 #include <waker/simulation/sizes.h>
 
 #include <cmath>
@@ -23,6 +24,16 @@ namespace Waker
       // The unused last argument keeps a format without arguments legal.
       std::snprintf(text, sizeof text, format, arguments..., 0);
       log.line(text);
+    }
+
+
+    template <typename... Arguments>
+    void
+    warn(Log &log, const char *format, const Arguments... arguments)
+    {
+      char text[512];
+      std::snprintf(text, sizeof text, format, arguments..., 0);
+      log.warning(text);
     }
   } // namespace
 
@@ -69,11 +80,6 @@ namespace Waker
             p.time.time_step,
             cfl,
             c);
-        if (cfl > 20.)
-          say(log,
-              "  WARNING   waves cross %.0f cells in a step: a smaller time "
-              "step is more accurate, and converges better",
-              cfl);
       }
     else if (p.time.scheme == "quasi-static")
       say(log,
@@ -106,31 +112,27 @@ namespace Waker
             rides ? "goes with the soil" : "stays in space");
       }
     if (p.water.side != "none" && !the_case.water_touches)
-      say(log,
-          "  WARNING   the water touches no soil at the start, at %g m",
-          p.water.level);
+      warn(log,
+           "Water/Level: the water touches no soil at the start, at %g m",
+           p.water.level);
     if (p.water.side == "none" && !std::isnan(p.water.level) &&
         std::isnan(the_case.measuring_level))
-      say(log,
-          "  WARNING   no soil at Water/Level = %g m: the width is not "
-          "measured",
-          p.water.level);
+      warn(log,
+           "Water/Level: no soil at %g m: the width is not measured",
+           p.water.level);
     if (the_case.last_load_change == LastChange::unknown)
       say(log,
           "  loads     change with an expression of t, perhaps to the end: "
           "the run goes on to %g s (see Stop rules/Loads constant from)",
           p.time.end_time);
     else if (the_case.last_load_change > p.time.end_time)
-      say(log,
-          "  WARNING   loads change until t = %g s, after the end time %g s",
-          the_case.last_load_change,
-          p.time.end_time);
+      warn(log,
+           "Time stepping/End time: loads change until t = %g s, after the end "
+           "time %g s",
+           the_case.last_load_change,
+           p.time.end_time);
     else if (the_case.last_load_change > 0.)
       say(log, "  loads     change until t = %g s", the_case.last_load_change);
-    if (p.points.points_per_direction == 1)
-      say(log,
-          "  WARNING   one point per cell and direction: stresses will be "
-          "coarse, two are usual");
     if (!the_case.gravity_report.residuals.empty())
       say(log,
           "  gravity   in-situ stress after %zu solve(s), residual %.1e",
@@ -141,6 +143,8 @@ namespace Waker
              duration_text(sizes.computing) + " of computing, " +
              bytes_text(sizes.memory) + " of memory, " +
              bytes_text(sizes.disk) + " of files");
+    for (const std::string &text : strange_things(the_case))
+      log.warning(text);
   }
 
 

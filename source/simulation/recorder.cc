@@ -288,11 +288,12 @@ namespace Waker
 
   template <int dim>
   void
-  Recorder<dim>::write_summary(const State<dim>  &state,
-                               const Outcome      outcome,
-                               const Unrest      &unrest,
-                               const std::string &stop_reason,
-                               const double       wall_time) const
+  Recorder<dim>::write_summary(const State<dim>               &state,
+                               const Outcome                   outcome,
+                               const Unrest                   &unrest,
+                               const std::string              &stop_reason,
+                               const double                    wall_time,
+                               const std::vector<std::string> &warnings) const
   {
     Summary summary;
     summary.outcome = to_string(outcome);
@@ -324,6 +325,7 @@ namespace Waker
     for (const TractionRecord &traction : state.tractions)
       summary.vanished_tractions += traction.empty_time >= 0.;
     summary.wall_time       = wall_time;
+    summary.warnings        = warnings;
     summary.parameters_hash = parameters->hash;
     summary.write(file_path(parameters->output.directory, OutputFile::summary));
   }

@@ -226,7 +226,8 @@ namespace Waker
                    " s; go on with --resume.");
           return status;
         }
-      recorder.write_summary(state, outcome, unrest, reason, wall.count());
+      recorder.write_summary(
+        state, outcome, unrest, reason, wall.count(), log.warnings());
       describe_result(state,
                       outcome,
                       unrest,
@@ -262,6 +263,8 @@ namespace Waker
         log.line(std::string("Numerical failure: ") + failure.what());
         if (!options.validate_only && !options.resume)
           {
+            if (options.before_writing)
+              options.before_writing();
             const FolderLock lock = lock_folder(directory, "waker run");
             prepare_output_folder(directory,
                                   folder_mode(options),
@@ -271,7 +274,8 @@ namespace Waker
                              Outcome::numerical_failure,
                              Unrest(),
                              failure.what(),
-                             0.);
+                             0.,
+                             log.warnings());
           }
         return RunStatus::numerical_failure;
       }
@@ -292,6 +296,8 @@ namespace Waker
         return RunStatus::completed;
       }
 
+    if (options.before_writing)
+      options.before_writing();
     const FolderLock               lock = lock_folder(directory, "waker run");
     std::unique_ptr<Recorder<dim>> recorder;
     if (options.resume)

@@ -214,6 +214,8 @@ namespace Waker
         log.line("Valid. Nothing was written.");
         return RunStatus::completed;
       }
+    if (options.before_writing)
+      options.before_writing();
     // A table that does not fit is refused before anything is written.
     const std::string key =
       (strengths.key.empty() ? parameters.hash + ", to " +

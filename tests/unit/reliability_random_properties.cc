@@ -252,12 +252,53 @@ namespace
               std::string::npos)
       << enough[0];
     const auto few = lines("24, 0.9");
-    ASSERT_EQ(few.size(), 2u);
+    ASSERT_EQ(few.size(), 1u);
     EXPECT_NE(few[0].find(", 96 x 3.6 cells"), std::string::npos) << few[0];
-    EXPECT_NE(few[1].find("fewer than 4 cells per scale of fluctuation along "
+  }
+
+
+  TEST(RandomProperties, warn_of_coarse_cells_and_of_limits_that_cut_much_off)
+  {
+    const auto warnings = [](const std::vector<std::string> &settings) {
+      return Drawn(*coarse(settings)).properties.warnings();
+    };
+    EXPECT_TRUE(warnings({field + "Scales of fluctuation=24, 1"}).empty());
+    const auto few = warnings({field + "Scales of fluctuation=24, 0.9"});
+    ASSERT_EQ(few.size(), 1u);
+    EXPECT_NE(few[0].find("fewer than 4 cells per scale of fluctuation along "
                           "y:"),
               std::string::npos)
-      << few[1];
+      << few[0];
+    // A hundredth of a normal distribution is 2.33 deviations from the mean.
+    EXPECT_TRUE(warnings({field + "Scales of fluctuation=24, 1",
+                          field + "Coefficient of variation=0.42"})
+                  .empty());
+    const auto cut = warnings({field + "Scales of fluctuation=24, 1",
+                               field + "Coefficient of variation=0.5"});
+    ASSERT_EQ(cut.size(), 1u);
+    EXPECT_NE(cut[0].find("the limits cut off 2.27501 %"), std::string::npos)
+      << cut[0];
+  }
+
+
+  TEST(RandomProperties, a_mean_beyond_the_limits_is_refused)
+  {
+    for (const char *const limit : {"Minimum=13.5", "Maximum=12.5"})
+      for (const char *const distribution : {"normal", "lognormal"})
+        try
+          {
+            const Drawn drawn(
+              *coarse({field + "Mean=13",
+                       field + limit,
+                       field + "Distribution=" + distribution}));
+            ADD_FAILURE() << limit << ", " << distribution;
+          }
+        catch (const UserError &error)
+          {
+            EXPECT_EQ(error.where, "Random fields/strength/Mean");
+            EXPECT_NE(error.problem.find("is 13"), std::string::npos)
+              << error.problem;
+          }
   }
 
 

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iosfwd>
 #include <string>
+#include <vector>
 
 namespace Waker
 {
@@ -42,6 +43,21 @@ namespace Waker
     void
     line(const std::string &text);
 
+    /// What is allowed, but likely not meant: a line "Warning: ...".
+    void
+    warning(const std::string &text);
+
+    /// What such lines begin with, whoever makes them: they are kept, for the
+    /// summary.
+    static constexpr const char *warning_mark = "Warning: ";
+
+    /// All warnings so far.
+    const std::vector<std::string> &
+    warnings() const
+    {
+      return all_warnings;
+    }
+
     /**
      * How far the work is. Cheap enough for every step: mostly it only looks
      * at the clock.
@@ -71,15 +87,16 @@ namespace Waker
     void
     erase_bar();
 
-    std::ostream     *screen   = nullptr;
-    bool              terminal = false;
-    std::ofstream     file;
-    bool              file_failed = false; // and the screen has said so
-    bool              bar_shown   = false;
-    bool              started     = false;
-    Clock::time_point start_time;
-    Clock::time_point last_time;
-    double            start_fraction = 0.;
+    std::ostream            *screen   = nullptr;
+    bool                     terminal = false;
+    std::ofstream            file;
+    std::vector<std::string> all_warnings;
+    bool                     file_failed = false; // and the screen has said so
+    bool                     bar_shown   = false;
+    bool                     started     = false;
+    Clock::time_point        start_time;
+    Clock::time_point        last_time;
+    double                   start_fraction = 0.;
   };
 } // namespace Waker
 

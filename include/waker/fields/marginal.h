@@ -67,6 +67,11 @@ namespace Waker
                   const double mean,
                   const double standard_deviation) const;
 
+    /// Probability that a normal or lognormal value with standard normal score
+    /// lies beyond a limit and becomes it; 0 for the others.
+    double
+    share_beyond(const double mean, const double sd) const;
+
   private:
     Kind   type;
     double minimum;

@@ -76,10 +76,13 @@ namespace Waker
       return fields[field].variance;
     }
 
-    /// For the log: a line per field, with the cells per scale of fluctuation,
-    /// and one more where these are fewer than 4.
+    /// For the log: a line per field, with the cells per scale of fluctuation.
     std::vector<std::string>
     description() const;
+
+    /// What is likely not meant: fewer than 4 cells per scale.
+    std::vector<std::string>
+    warnings() const;
 
     /// @param noise n_noise() standard normal numbers
     /// @param scores one array per field, one number per cell of its lattice.

@@ -3,6 +3,7 @@
 #define waker_mechanics_gravity_step_h
 
 #include <waker/boundary/wall.h>
+#include <waker/mechanics/mixed_cells.h>
 #include <waker/mechanics/stress_update.h>
 #include <waker/nodes/fixities.h>
 #include <waker/nodes/nodal_state.h>
@@ -15,6 +16,7 @@ namespace Waker
   {
     bool                converged = false;
     std::vector<double> residuals; // relative, before and after each iteration
+    MixedCells          mixed_cells;
   };
 
   /**
@@ -25,7 +27,8 @@ namespace Waker
    * The tangent of the internal force has no stiffness for some motions of
    * nodes that only one support domain touches: a millionth of its diagonal is
    * added, and the residual iterated away. 2D by a sparse factorisation, 3D by
-   * conjugate gradients.
+   * conjugate gradients. Cells with points of two stiffnesses get one of their
+   * own: see mixed_cells.h.
    *
    * @param nodes in: mass, external_force (weight and water)
    * @param full_node_mass see NewtonSolver: the norm of the residual is its

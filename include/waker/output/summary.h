@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace Waker
 {
@@ -63,6 +64,9 @@ namespace Waker
     std::uint64_t vanished_tractions = 0;
 
     double wall_time = 0.; // s
+
+    /// Of the input and the run: what is allowed, but likely not meant.
+    std::vector<std::string> warnings;
 
     /// Parameters::hash
     std::string parameters_hash;

@@ -38,6 +38,7 @@ namespace Waker
   template <int dim>
   void
   apply_point_loads(const std::vector<PointLoadParameters> &loads,
+                    const double                            cell_size,
                     MaterialPoints<dim>                    &points);
 } // namespace Waker
 

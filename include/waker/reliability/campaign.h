@@ -9,6 +9,7 @@
 
 #include <csignal>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -36,6 +37,8 @@ namespace Waker
 
     /// Not 0: end cleanly. May be null.
     const volatile std::sig_atomic_t *interrupt = nullptr;
+    /// See RunOptions.
+    std::function<void()> before_writing;
   };
 
 

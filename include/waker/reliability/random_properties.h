@@ -53,6 +53,11 @@ namespace Waker
     std::vector<std::string>
     description() const;
 
+    /// What is likely not meant: fewer than 4 cells per scale of fluctuation,
+    /// limits that cut off more than a hundredth of a distribution.
+    std::vector<std::string>
+    warnings() const;
+
   private:
     /// Where one field goes.
     struct Target

@@ -50,11 +50,12 @@ namespace Waker
     checkpoint(const State<dim> &state, const bool now);
 
     void
-    write_summary(const State<dim>  &state,
-                  const Outcome      outcome,
-                  const Unrest      &unrest,
-                  const std::string &stop_reason,
-                  const double       wall_time) const;
+    write_summary(const State<dim>               &state,
+                  const Outcome                   outcome,
+                  const Unrest                   &unrest,
+                  const std::string              &stop_reason,
+                  const double                    wall_time,
+                  const std::vector<std::string> &warnings) const;
 
   private:
     void

@@ -24,7 +24,6 @@ namespace Waker
   using InitialSetup =
     std::function<std::vector<std::string>(const Case<dim> &, State<dim> &)>;
 
-
   struct RunOptions
   {
     bool validate_only = false; // check everything, write nothing
@@ -33,6 +32,10 @@ namespace Waker
     bool quiet         = false; // say nothing on the screen
     /// Not 0: end cleanly with a checkpoint. May be null.
     const volatile std::sig_atomic_t *interrupt = nullptr;
+    /// Called when the set-up, which may take minutes, is over, before the
+    /// first thing is written: until then a program may end at any moment and
+    /// leaves nothing behind. May be empty.
+    std::function<void()> before_writing;
   };
 
   enum class RunStatus

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/mechanics/time_scheme.h>
+#include <waker/particles/layer_gaps.h>
+#include <waker/simulation/plausibility.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace Waker
+{
+  namespace
+  {
+    /// Stiffnesses in one cell that differ by more leave marks in the stress
+    /// when loads change.
+    constexpr double smallest_ratio = 1.5;
+
+
+    /// Appends a warning unless the value lies in the range.
+    class Ranges
+    {
+    public:
+      explicit Ranges(std::vector<std::string> &warnings)
+        : warnings(warnings)
+      {}
+
+      void
+      check(const std::string &path,
+            const double       value,
+            const double       low,
+            const double       high,
+            const std::string &unit,
+            const std::string &whose)
+      {
+        if (value >= low && value <= high)
+          return;
+        std::ostringstream text;
+        text << path << " is " << value << unit << "; " << whose << " " << low
+             << " to " << high << unit;
+        warnings.push_back(text.str());
+      }
+
+    private:
+      std::vector<std::string> &warnings;
+    };
+
+
+    void
+    check_material(const MaterialParameters &m, Ranges &ranges)
+    {
+      const std::string path = "Materials/" + m.name + "/";
+      ranges.check(
+        path + "Unit weight", m.unit_weight, 5., 30., " kN/m^3", "soils have");
+      ranges.check(path + "Young's modulus",
+                   m.youngs_modulus,
+                   50.,
+                   3e8,
+                   " kPa",
+                   "peat to steel has");
+      ranges.check(path + "Poisson's ratio",
+                   m.poissons_ratio,
+                   0.,
+                   0.495,
+                   "",
+                   "elements do not lock from");
+      if (m.model == "linear elastic")
+        return;
+      ranges.check(path + "Initial strength",
+                   m.initial_strength,
+                   0.5,
+                   2000.,
+                   " kPa",
+                   "soils have");
+      ranges.check(path + "Young's modulus by strength",
+                   m.youngs_modulus / m.initial_strength,
+                   20.,
+                   10000.,
+                   "",
+                   "usual is");
+    }
+  } // namespace
+
+
+  std::vector<std::string>
+  strange_parameters(const Parameters &p)
+  {
+    std::vector<std::string> warnings;
+    Ranges                   ranges(warnings);
+    for (const MaterialParameters &material : p.materials)
+      check_material(material, ranges);
+    if (p.gravity.acceleration > 0.)
+      ranges.check("Gravity/Acceleration",
+                   p.gravity.acceleration,
+                   9.7,
+                   10.,
+                   " m/s^2",
+                   "on earth it is");
+    if (p.water.side != "none")
+      ranges.check("Water/Unit weight",
+                   p.water.unit_weight,
+                   9.5,
+                   11.,
+                   " kN/m^3",
+                   "fresh to muddy water has");
+    for (const TractionParameters &traction : p.tractions)
+      if (traction.kind == "hydrostatic")
+        ranges.check("Tractions/" + traction.name + "/Unit weight",
+                     traction.unit_weight,
+                     5.,
+                     25.,
+                     " kN/m^3",
+                     "liquids have");
+    if (p.points.points_per_direction == 1)
+      warnings.push_back("Material points/Points per direction is 1: stresses "
+                         "will be coarse; 2 is usual");
+
+    for (const LayerGap &gap : layer_gaps(p.layers, 2. * p.grid.cell_size))
+      {
+        std::ostringstream text;
+        text << "Soil profile: between " << gap.one << " and " << gap.other
+             << " there is a gap of " << gap.width << " m, " << gap.length
+             << " m long, around (" << gap.middle[0] << ", " << gap.middle[1]
+             << ") m; layers usually touch";
+        warnings.push_back(text.str());
+      }
+    return warnings;
+  }
+
+
+  template <int dim>
+  std::vector<std::string>
+  strange_things(const Case<dim> &the_case)
+  {
+    const Parameters        &p        = the_case.parameters;
+    std::vector<std::string> warnings = strange_parameters(p);
+    const double             h        = the_case.grid.cell_size();
+    if (p.time.scheme == "Newmark")
+      {
+        const double cells =
+          wave_speed(the_case.materials) * p.time.time_step / h;
+        if (cells > 20.)
+          {
+            std::ostringstream text;
+            text << "Time stepping/Time step is " << p.time.time_step
+                 << " s: waves cross " << std::round(cells)
+                 << " cells in a step; a smaller one is more accurate, and "
+                    "converges better";
+            warnings.push_back(text.str());
+          }
+      }
+
+    double fastest = 0.;
+    for (const Tensor<1, dim> &v : the_case.initial_points.velocity)
+      fastest = std::max(fastest, v.norm());
+    if (p.time.scheme != "explicit" && fastest * p.time.time_step > h)
+      {
+        std::ostringstream text;
+        text << "Soil profile: soil begins at " << fastest
+             << " m/s and crosses " << fastest * p.time.time_step / h
+             << " cells in the first time step";
+        warnings.push_back(text.str());
+      }
+
+    const MixedCells &mixed = the_case.gravity_report.mixed_cells;
+    if (mixed.ratio >= smallest_ratio)
+      {
+        std::ostringstream text;
+        text << "Soil profile: " << mixed.n_points << " points lie in "
+             << mixed.n_cells << " cells of two stiffnesses, up to "
+             << mixed.ratio
+             << " times apart: when loads change, stresses there will differ "
+                "by as much from point to point; joints on lines of the grid "
+                "avoid it";
+        warnings.push_back(text.str());
+      }
+    return warnings;
+  }
+
+
+  template std::vector<std::string>
+  strange_things(const Case<2> &);
+  template std::vector<std::string>
+  strange_things(const Case<3> &);
+} // namespace Waker
