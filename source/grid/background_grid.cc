@@ -38,7 +38,7 @@ namespace Waker
     /// Bytes per cell that deal.II's triangulation and degrees of freedom
     /// take while they are made; measured.
     template <int dim>
-    constexpr double bytes_per_cell = dim == 2 ? 1000. : 3000.;
+    constexpr double bytes_per_cell = dim == 2 ? 600. : 1500.;
 
 
     /// Number of cells of size h between a and b; not limited yet.

@@ -16,7 +16,7 @@ namespace Waker
                       from,
                       "The points that lie in the box From .. To (m) at the "
                       "start share the force by their volumes. Without To: the "
-                      "point nearest to From.",
+                      "point nearest to From, at most a cell away.",
                       Patterns::List(Patterns::Double(), 0, 3));
     prm.add_parameter("To",
                       to,

@@ -20,7 +20,9 @@ namespace Waker
     /// Bytes of the largest thing that is solved at once.
     template <int dim>
     double
-    solver_memory(const Parameters &parameters, const double n_nodes)
+    solver_memory(const Parameters &parameters,
+                  const double      n_points,
+                  const double      n_nodes)
     {
       const bool gravity = parameters.gravity.initial_stress;
       const bool direct  = parameters.time.scheme == "quasi-static";
@@ -28,7 +30,9 @@ namespace Waker
         return 8. * 60. * dim * n_nodes; // basis of the Krylov space
       // Of a factor of a plane grid's matrix: some 10 n log2(n) entries of
       // 12 bytes; the gravity step's blocks of 25 neighbours before.
-      const double n = dim * n_nodes;
+      const double n_soil = // nodes that have equations
+        1.2 * n_points / std::pow(parameters.points.points_per_direction, dim);
+      const double n = dim * std::min(n_nodes, n_soil);
       return 12. * 10. * n * std::log2(n + 2.) * (direct ? 2. : 1.) +
              25. * 32. * n_nodes;
     }
@@ -63,7 +67,7 @@ namespace Waker
       sizeof(typename StressUpdate<dim>::BlockTangent) / Material::block_size;
     const double per_node = 8. * (2 + 20 * dim);
     sizes.memory          = per_point * n_points + per_node * n_nodes +
-                   solver_memory<dim>(parameters, n_nodes);
+                   solver_memory<dim>(parameters, n_points, n_nodes);
 
     sizes.snapshots =
       output.interval > 0.

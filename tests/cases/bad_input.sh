@@ -10,6 +10,7 @@ set -u
 waker=$(realpath "$1")
 source=$(realpath "$2")
 good=$source/parameters/chapter5/dyke.prm
+random=$source/parameters/chapter5/analysis1.prm
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir "$work/in"
@@ -112,6 +113,22 @@ set_value 'flooded from the start' 'Water/Rise' 0.5 'flooded'
 set_value 'too many numbers' 'Grid/Upper corner' '42, 6, 1' '3 numbers'
 edit 'no layer' '/Layers/d; /subsection dyke/,/  end/d' \
   ' \(default of Soil profile/Layers\)' 'no layer'
+
+# Sizes without a limit: refused before anything is allocated.
+check 'a wide box' 'dyke.prm:[0-9]+$' 'Grid/Cell size: .* unknowns' -- run "$good" \
+  --set 'Grid/Upper corner=1070000000, 6'
+set_value 'tiny cells' 'Grid/Cell size' 1e-4 '5\.76e\+10 unknowns'
+set_value 'no time step' 'Time stepping/Time step' 1e-300 'steps'
+check 'tiny cells of a field' '^--set Random fields/strength/Cell size$' \
+  'cells of the field along x' -- campaign "$random" --set \
+  'Random fields/strength/Cell size=1e-300, 3'
+check 'narrow bins' '^--set Histograms/Width bin$' 'bins' -- \
+  campaign "$random" --set 'Histograms/Width bin=1e-9'
+check 'many realisations' '^--set Campaign/Realisations$' '2\.15e\+09' -- \
+  campaign "$random" --set 'Campaign/Realisations=2147483647'
+check 'a load far away' '^--set Point loads/p/From$' \
+  '155... m from the nearest' -- run "$good" --set 'Point loads/Names=p' \
+  --set 'Point loads/p/From=155000, 5' --set 'Point loads/p/Force=0, -1'
 
 # What only the grid can tell.
 polygon='Soil profile/dyke/Polygon'
