@@ -41,7 +41,7 @@ namespace Waker
     constexpr double bytes_per_cell = dim == 2 ? 600. : 1500.;
 
 
-    /// Number of cells of size h between a and b; not limited yet.
+    /// Number of cells of size h between a and b.
     double
     count_cells(const double a, const double b, const double h)
     {
@@ -57,6 +57,11 @@ namespace Waker
             " to " + std::to_string(b) + " m with cells of " +
             std::to_string(h) + " m",
           "an upper corner above the lower one in each direction");
+      checked_count("Grid/Cell size",
+                    n,
+                    "cells in one direction",
+                    2147483647.,
+                    "larger cells, or a smaller box");
       if (std::abs(b - a - n * h) > 1e-6 * h)
         throw UserError("Grid/Upper corner",
                         "the box from " + std::to_string(a) + " to " +

@@ -2,6 +2,7 @@
 #include <waker/base/errors.h>
 #include <waker/base/hash.h>
 #include <waker/base/log.h>
+#include <waker/base/sizes.h>
 #include <waker/output/files.h>
 #include <waker/output/summary.h>
 #include <waker/reliability/campaign_files.h>
@@ -14,6 +15,7 @@
 #include <waker/reliability/schedule.h>
 #include <waker/reliability/snapshots.h>
 #include <waker/simulation/describe.h>
+#include <waker/simulation/sizes.h>
 
 #include <algorithm>
 #include <chrono>
@@ -105,6 +107,24 @@ namespace Waker
                     sweep.list()[runners.size()] + "): " + failure.what());
           }
       return runners;
+    }
+
+
+    /// Each rank needs as much (bytes): is there enough for those that share
+    /// this machine?
+    void
+    check_memory_of_ranks(const double memory, const MPI_Comm communicator)
+    {
+      MPI_Comm machine;
+      MPI_Comm_split_type(
+        communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
+      const unsigned int n = Utilities::MPI::n_mpi_processes(machine);
+      MPI_Comm_free(&machine);
+      require_memory("command line",
+                     "started on " + std::to_string(n) +
+                       " ranks on this machine",
+                     n * memory,
+                     "fewer ranks");
     }
 
 
@@ -205,6 +225,8 @@ namespace Waker
     Log log =
       rank == 0 ? Log(std::cout, n_ranks == 1 && Log::is_terminal()) : Log();
     std::unique_ptr<CampaignWriter> campaign_writer;
+    check_memory_of_ranks(run_sizes(runners[0]->first_case()).memory,
+                          communicator);
     if (options.before_writing && !options.validate_only)
       options.before_writing();
     if (rank == 0 && !options.validate_only)
@@ -215,7 +237,7 @@ namespace Waker
         log.open_file(join_path(folder, log_name(options)),
                       options.resume || options.is_part);
         if (!prepared.warning.empty())
-          log.line(prepared.warning);
+          log.warning(prepared.warning);
       }
     describe_case(runners[0]->first_case(), log);
     for (const std::string &line : runners[0]->properties().description())

@@ -61,7 +61,7 @@ namespace Waker
                    0.,
                    0.495,
                    "",
-                   "elements do not lock from");
+                   "usual is");
       if (m.model == "linear elastic")
         return;
       ranges.check(path + "Initial strength",

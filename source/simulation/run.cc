@@ -311,7 +311,7 @@ namespace Waker
     if (options.resume)
       {
         if (!recorder->warning().empty())
-          log.line(recorder->warning());
+          log.warning(recorder->warning());
         log.line("Resumed at t = " + std::to_string(state.time) + " s, step " +
                  std::to_string(state.step) + ".");
       }
