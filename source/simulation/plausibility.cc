@@ -3,7 +3,11 @@
 #include <waker/particles/layer_gaps.h>
 #include <waker/simulation/plausibility.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <optional>
 #include <sstream>
 
 namespace Waker
@@ -44,6 +48,35 @@ namespace Waker
     };
 
 
+    /// The number that a text is; none if it is an expression.
+    std::optional<double>
+    number(const std::string &text)
+    {
+      char        *rest  = nullptr;
+      const double value = std::strtod(text.c_str(), &rest);
+      if (rest == text.c_str() || *rest != 0)
+        return {};
+      return value;
+    }
+
+
+    void
+    check_strength(const std::string &path,
+                   const double       strength,
+                   const double       youngs_modulus,
+                   Ranges            &ranges)
+    {
+      ranges.check(
+        path + "Initial strength", strength, 0.5, 2000., " kPa", "soils have");
+      ranges.check(path + "Young's modulus by strength",
+                   youngs_modulus / strength,
+                   20.,
+                   10000.,
+                   "",
+                   "usual is");
+    }
+
+
     void
     check_material(const MaterialParameters &m, Ranges &ranges)
     {
@@ -56,26 +89,43 @@ namespace Waker
                    3e8,
                    " kPa",
                    "peat to steel has");
-      ranges.check(path + "Poisson's ratio",
-                   m.poissons_ratio,
-                   0.,
-                   0.495,
-                   "",
-                   "usual is");
+      ranges.check(
+        path + "Poisson's ratio", m.poissons_ratio, 0., 0.495, "", "usual is");
       if (m.model == "linear elastic")
         return;
-      ranges.check(path + "Initial strength",
-                   m.initial_strength,
-                   0.5,
-                   2000.,
-                   " kPa",
-                   "soils have");
-      ranges.check(path + "Young's modulus by strength",
-                   m.youngs_modulus / m.initial_strength,
-                   20.,
-                   10000.,
-                   "",
-                   "usual is");
+      // Of an expression the points know the values.
+      if (const auto strength = number(m.initial_strength))
+        check_strength(path, *strength, m.youngs_modulus, ranges);
+    }
+
+
+    /// Strengths that are expressions: the least and the largest of the points.
+    template <int dim>
+    void
+    check_strengths_of_points(const Case<dim> &the_case, Ranges &ranges)
+    {
+      const MaterialPoints<dim> &points = the_case.initial_points;
+      const int i = points.find_scalar("undrained shear strength");
+      const std::vector<MaterialParameters> &materials =
+        the_case.parameters.materials;
+      for (std::size_t m = 0; i >= 0 && m < materials.size(); ++m)
+        {
+          if (materials[m].model == "linear elastic" ||
+              number(materials[m].initial_strength))
+            continue;
+          double least = std::numeric_limits<double>::max(), largest = 0.;
+          for (std::size_t p = 0; p < points.n_points(); ++p)
+            if (points.material[p] == m)
+              {
+                least   = std::min(least, points.scalars[i].values[p]);
+                largest = std::max(largest, points.scalars[i].values[p]);
+              }
+          if (!(largest >= least))
+            continue; // no points
+          const std::string path = "Materials/" + materials[m].name + "/";
+          for (const double strength : {least, largest})
+            check_strength(path, strength, materials[m].youngs_modulus, ranges);
+        }
     }
   } // namespace
 
@@ -133,6 +183,8 @@ namespace Waker
     const Parameters        &p        = the_case.parameters;
     std::vector<std::string> warnings = strange_parameters(p);
     const double             h        = the_case.grid.cell_size();
+    Ranges                   ranges(warnings);
+    check_strengths_of_points(the_case, ranges);
     if (p.time.scheme == "Newmark")
       {
         const double cells =

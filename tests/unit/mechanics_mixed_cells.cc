@@ -28,8 +28,8 @@ namespace
     material.unit_weight       = unit_weight;
     material.youngs_modulus    = stiffness;
     material.poissons_ratio    = 0.45;
-    material.initial_strength  = 14.;
-    material.residual_strength = 14.;
+    material.initial_strength  = "14";
+    material.residual_strength = "14";
     material.softening_modulus = 0.;
     return material;
   }
