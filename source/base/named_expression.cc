@@ -3,10 +3,13 @@
 #include <deal.II/base/numbers.h>
 
 #include <waker/base/errors.h>
+#include <waker/base/expression_scan.h>
 #include <waker/base/named_expression.h>
+#include <waker/base/text.h>
 
 #include <algorithm>
-#include <cctype>
+#include <cmath>
+#include <cstdlib>
 #include <iostream>
 #include <sstream>
 
@@ -16,24 +19,40 @@ namespace Waker
 
   namespace
   {
-    /// Does an expression contain this variable?
-    bool
-    contains(const std::string &expression, const std::string &variable)
+    /// muParser's error, whose number deal.II gives as a column, in our words.
+    std::string
+    in_words(const std::string &message)
     {
-      const auto in_name = [](const char c) {
-        return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
-      };
-      std::size_t begin = 0;
-      while (begin < expression.size())
+      const std::string intro = "Column ";
+      const std::size_t at    = message.find(intro);
+      const int         code =
+        at == std::string::npos ? -1 : std::atoi(&message[at + intro.size()]);
+      switch (code)
         {
-          std::size_t end = begin;
-          while (end < expression.size() && in_name(expression[end]))
-            ++end;
-          if (expression.compare(begin, end - begin, variable) == 0)
-            return true;
-          begin = end + (end == begin);
+          case 0: // unexpected operator
+          case 3: // unexpected comma
+            return "a value is missing before an operator or a comma";
+          case 2: // unexpected end
+            return "it ends too early";
+          case 4:
+          case 5:
+          case 6:
+          case 12: // unexpected argument, number, variable, function
+            return "there is no operator between two values";
+          case 7:
+          case 11: // unexpected or missing parenthesis
+            return "a parenthesis is out of place";
+          case 14:
+            return "a function has too many arguments";
+          case 15:
+            return "a function has too few arguments";
+          case 32:
+          case 33:
+          case 34: // of "a ? b : c"
+            return "\"?\" and \":\" do not match";
+          default:
+            return "it is no formula";
         }
-      return false;
     }
 
 
@@ -42,7 +61,7 @@ namespace Waker
     {
       std::string text;
       for (const std::string &name : names)
-        text += (text.empty() ? "" : ",") + name;
+        text += (text.empty() ? "" : ", ") + name;
       return text;
     }
   } // namespace
@@ -55,10 +74,21 @@ namespace Waker
     : expression(text)
     , parser(std::make_unique<FunctionParser<3>>(1))
   {
+    const auto refuse = [&](const std::string &problem,
+                            const std::string &advice = "") {
+      throw UserError(path,
+                      in_quotes(text) + " cannot be read (" + problem + ")",
+                      "expressions of " + joined(variables) + or_else +
+                        (advice.empty() ? "" : "; " + advice));
+    };
+    const ExpressionScan scan = scan_expression(text, variables);
+    if (!scan.problem.empty())
+      refuse(scan.problem, scan.advice);
+
     slots.fill(-1);
     unsigned int n_used = 0;
     for (unsigned int v = 0; v < variables.size(); ++v)
-      if (contains(text, variables[v]))
+      if (scan.names.count(variables[v]) != 0)
         {
           if (n_used < n_slots)
             slots[n_used] = v;
@@ -66,50 +96,45 @@ namespace Waker
         }
     if (n_used > n_slots)
       throw UserError(path,
-                      "\"" + text + "\" has " + std::to_string(n_used) +
+                      in_quotes(text) + " has " + std::to_string(n_used) +
                         " variables in it",
                       "expressions of at most four of " + joined(variables) +
                         or_else);
-    // The slots that are left over need names that nobody can mean.
+    // The slots that are left over need names that nobody can mean: what is
+    // no variable has been refused.
     std::vector<std::string> names;
     for (unsigned int s = 0; s < n_slots; ++s)
-      {
-        std::string name = "unused" + std::to_string(s);
-        while (contains(text, name))
-          name += "_";
-        names.push_back(slots[s] >= 0 ? variables[slots[s]] : name);
-      }
-    parser->initialize(joined(names), text, {{"pi", numbers::PI}}, true);
+      names.push_back(slots[s] >= 0 ? variables[slots[s]]
+                                    : "unused" + std::to_string(s));
 
-    // The parser reads its text when it is first asked for a value. deal.II
-    // then also prints what is wrong: the error must say it, and only once.
+    // deal.II also prints what is wrong: the error must say it, and only once.
     std::ostringstream    printed;
     std::streambuf *const screen = std::cerr.rdbuf(printed.rdbuf());
     std::string           reason;
+    double                start = 0.;
     try
       {
-        value(std::vector<double>(variables.size()).data());
+        parser->initialize(joined(names), text, {{"pi", numbers::PI}}, true);
+        // The parser reads its text when it is first asked for a value.
+        start = value(std::vector<double>(variables.size()).data());
       }
-    catch (const ExceptionBase &e)
+    catch (const ExceptionBase &error)
       {
         std::ostringstream message;
-        e.print_info(message);
-        // Its column is really the number of the error.
-        const std::string intro = "The parser said: ";
-        reason                  = message.str();
-        if (reason.find(intro) != std::string::npos)
-          reason.erase(0, reason.find(intro) + intro.size());
-        reason.erase(reason.find_last_not_of(" \n") + 1);
+        error.print_info(message);
+        reason = in_words(message.str());
       }
-    catch (const std::exception &e)
+    catch (...) // muParser's own errors are no std::exception
       {
-        reason = e.what();
+        reason = in_words("");
       }
     std::cerr.rdbuf(screen);
     if (!reason.empty())
+      refuse(reason);
+    if (n_used == 0 && !std::isfinite(start))
       throw UserError(path,
-                      "\"" + text + "\" cannot be read (" + reason + ")",
-                      "expressions of " + joined(variables) + or_else);
+                      in_quotes(text) + " is " + std::to_string(start),
+                      "finite numbers");
   }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/text.h>
 
+#include <algorithm>
 #include <cctype>
 
 namespace Waker
@@ -38,5 +39,91 @@ namespace Waker
           return parts;
         begin = end + 1;
       }
+  }
+
+
+  namespace
+  {
+    /// Bytes of the character of UTF-8 that starts at `position`; 0 if none
+    /// does. Overlong forms, surrogates and what lies beyond Unicode are none.
+    std::size_t
+    character_length(const std::string &text, const std::size_t position)
+    {
+      const auto byte = [&](const std::size_t i) {
+        return position + i < text.size()
+                 ? static_cast<unsigned char>(text[position + i])
+                 : 0u;
+      };
+      const unsigned int first = byte(0);
+      if (first < 0x80)
+        return 1;
+      const std::size_t length = first >= 0xC2 && first < 0xE0   ? 2
+                                 : first >= 0xE0 && first < 0xF0 ? 3
+                                 : first >= 0xF0 && first < 0xF5 ? 4
+                                                                 : 0;
+      for (std::size_t i = 1; i < length; ++i)
+        if ((byte(i) & 0xC0u) != 0x80)
+          return 0;
+      if ((first == 0xE0 && byte(1) < 0xA0) ||
+          (first == 0xED && byte(1) >= 0xA0) ||
+          (first == 0xF0 && byte(1) < 0x90) ||
+          (first == 0xF4 && byte(1) >= 0x90))
+        return 0;
+      return length;
+    }
+
+
+    bool
+    is_control(const char c)
+    {
+      return std::iscntrl(static_cast<unsigned char>(c)) != 0;
+    }
+  } // namespace
+
+
+  std::string
+  printable(const std::string &text, const std::size_t longest)
+  {
+    // The rest would not be shown: a value may have megabytes.
+    const std::string begin = tidy(text.substr(0, 4 * longest));
+    std::string       result;
+    std::size_t       i = 0;
+    while (i < begin.size() && result.size() < longest)
+      {
+        const std::size_t n = character_length(begin, i);
+        result += n == 0 || is_control(begin[i]) ? "?" : begin.substr(i, n);
+        i += std::max<std::size_t>(n, 1);
+      }
+    if (i < begin.size() || text.size() > 4 * longest)
+      result += "...";
+    return result;
+  }
+
+
+  std::string
+  in_quotes(const std::string &text)
+  {
+    return "\"" + printable(text, 60) + "\"";
+  }
+
+
+  bool
+  is_plain_text(const std::string &text)
+  {
+    for (std::size_t i = 0; i < text.size();)
+      {
+        const std::size_t n = character_length(text, i);
+        if (n == 0 || (is_control(text[i]) && text[i] != '\t'))
+          return false;
+        i += n;
+      }
+    return true;
+  }
+
+
+  std::string
+  without_byte_order_mark(const std::string &text)
+  {
+    return text.compare(0, 3, "\xEF\xBB\xBF") == 0 ? text.substr(3) : text;
   }
 } // namespace Waker

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/base/numbers.h>
 #include <waker/base/text.h>
 #include <waker/base/time_function.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace Waker
 {
@@ -20,12 +20,12 @@ namespace Waker
               const std::string &whole,
               const std::string &path)
     {
-      char        *end   = nullptr;
-      const double value = std::strtod(text.c_str(), &end);
-      if (text.empty() || *end != '\0' || !std::isfinite(value))
+      double value = 0.;
+      if (!read_number(text, value))
         throw UserError(path,
-                        "\"" + text + "\" in \"" + whole + "\" is no number",
-                        allowed);
+                        in_quotes(text) + " in " + in_quotes(whole) +
+                          " is no number",
+                        allowed + decimals_with_a_point);
       return value;
     }
   } // namespace
@@ -49,26 +49,30 @@ namespace Waker
             const std::vector<std::string> parts = split(entry, ':');
             if (parts.size() != 2)
               throw UserError(path,
-                              "\"" + entry + "\" is no pair of time and value",
-                              allowed);
+                              in_quotes(entry) + " in " + in_quotes(text) +
+                                " is no pair of time and value",
+                              allowed + decimals_with_a_point);
             const double t = to_number(parts[0], text, path);
             if (!table.empty() && !(t > table.back().first))
               throw UserError(path,
-                              "the time " + parts[0] + " in \"" + text +
-                                "\" does not come after the one before",
+                              "the time " + parts[0] + " in " +
+                                in_quotes(text) +
+                                " does not come after the one before",
                               allowed);
             table.emplace_back(t, to_number(parts[1], text, path));
           }
         return;
       }
 
-    auto parsed =
-      std::make_shared<const Expression<2>>(text, path, "; or a table");
+    auto parsed = std::make_shared<const Expression<2>>(
+      text, path, ", or a table \"t0: y0, t1: y1, ...\"");
     if (!parsed->is_uniform())
-      throw UserError(path, "\"" + text + "\" depends on the place", allowed);
+      throw UserError(path, in_quotes(text) + " depends on the place", allowed);
     const double start = parsed->value(Point<2>(), 0.);
     if (!std::isfinite(start))
-      throw UserError(path, "\"" + text + "\" is not finite at t = 0", allowed);
+      throw UserError(path,
+                      in_quotes(text) + " is not finite at t = 0",
+                      allowed);
     if (parsed->moves())
       expression = std::move(parsed);
     else

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/base/numbers.h>
 #include <waker/base/text.h>
 #include <waker/boundary/user_surface.h>
 
@@ -34,7 +35,7 @@ namespace Waker
                                       : std::string(": it holds nothing")),
                         "a file; names are relative to the folder in which "
                         "waker is started");
-      return text.str();
+      return without_byte_order_mark(text.str());
     }
 
 
@@ -108,16 +109,16 @@ namespace Waker
                 }
               continue;
             }
-          std::replace(line.begin(), line.end(), ',', ' ');
-          std::istringstream numbers(line);
-          Point<2>           x;
-          std::string        rest;
-          if (!(numbers >> x[0] >> x[1]) || numbers >> rest ||
-              !std::isfinite(x[0]) || !std::isfinite(x[1]))
+          std::string spaced = line;
+          std::replace(spaced.begin(), spaced.end(), ',', ' ');
+          const std::vector<std::string> numbers = split(tidy(spaced), ' ');
+          Point<2>                       x;
+          if (numbers.size() != 2 || !read_number(numbers[0], x[0]) ||
+              !read_number(numbers[1], x[1]))
             throw UserError(path,
                             "line " + std::to_string(number) + " of \"" + file +
-                              "\" is no vertex: \"" + line + "\"",
-                            allowed_2d);
+                              "\" is no vertex: " + in_quotes(line),
+                            std::string(allowed_2d) + decimals_with_a_point);
           chain.push_back(x);
         }
       close_chain(chain, file, path, surface);
@@ -163,7 +164,8 @@ namespace Waker
       const auto refuse = [&](const std::string &what) {
         throw UserError(path,
                         "\"" + file + "\" " + what,
-                        "an STL file, text or binary");
+                        std::string("an STL file, text or binary") +
+                          decimals_with_a_point);
       };
       std::vector<std::array<Point<3>, 3>> triangles;
 

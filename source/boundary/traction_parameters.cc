@@ -2,6 +2,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <waker/base/errors.h>
+#include <waker/base/numbers.h>
 #include <waker/base/text.h>
 #include <waker/boundary/traction.h>
 #include <waker/boundary/traction_parameters.h>
@@ -133,8 +134,9 @@ namespace Waker
       if (values.size() != dim)
         throw UserError(path + entry,
                         "has " + std::to_string(values.size()) + " numbers",
-                        std::to_string(dim) + " numbers (Dimension = " +
-                          std::to_string(dim) + "), or nothing");
+                        std::to_string(dim) +
+                          " numbers (Dimension = " + std::to_string(dim) +
+                          "), or nothing" + decimals_with_a_point);
     };
     if (method == "volume" && functions != "linear")
       throw UserError(path + "Method",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/base/numbers.h>
 #include <waker/base/sizes.h>
 #include <waker/base/text.h>
 #include <waker/boundary/wall_spots.h>
@@ -7,7 +8,6 @@
 #include <waker/particles/sub_cells.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace Waker
@@ -31,20 +31,15 @@ namespace Waker
           const std::vector<std::string> numbers = split(corner, ',');
           if (numbers.size() != dim)
             throw UserError(path,
-                            "\"" + corner + "\" has " +
+                            in_quotes(corner) + " has " +
                               std::to_string(numbers.size()) + " numbers",
-                            allowed);
+                            allowed + decimals_with_a_point);
           Point<dim> x;
           for (unsigned int d = 0; d < dim; ++d)
-            {
-              const char *const end = numbers[d].data() + numbers[d].size();
-              const auto result = std::from_chars(numbers[d].data(), end, x[d]);
-              if (result.ec != std::errc() || result.ptr != end ||
-                  !std::isfinite(x[d]))
-                throw UserError(path,
-                                "\"" + numbers[d] + "\" is no number",
-                                allowed);
-            }
+            if (!read_number(numbers[d], x[d]))
+              throw UserError(path,
+                              in_quotes(numbers[d]) + " is no number",
+                              allowed);
           corners.push_back(x);
         }
       if (corners.size() < dim)

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/base/numbers.h>
+#include <waker/base/text.h>
 #include <waker/fields/measurements.h>
 
 #include <algorithm>
-#include <boost/algorithm/string.hpp>
 #include <fstream>
-#include <locale>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -14,19 +14,6 @@ namespace Waker
 {
   namespace
   {
-    /// @return whether the whole text is one number (finite: streams read no
-    /// other)
-    bool
-    read_number(const std::string &text, double &number)
-    {
-      std::istringstream in(text);
-      in.imbue(std::locale::classic());
-      std::string rest;
-      return in >> number && !(in >> rest);
-    }
-
-
-
     const char *
     columns(const unsigned int dim)
     {
@@ -81,33 +68,30 @@ namespace Waker
     for (std::string line; std::getline(in, line);)
       {
         ++number;
-        if (number == 1 && line.compare(0, 3, "\xef\xbb\xbf") == 0)
-          line.erase(0, 3); // byte order mark of spreadsheets
-        line = boost::trim_copy(line.substr(0, line.find('#')));
+        if (number == 1)
+          line = without_byte_order_mark(line);
+        line = tidy(line.substr(0, line.find('#')));
         if (line.empty())
           continue;
-
-        std::vector<std::string> texts;
-        boost::split(texts, line, boost::is_any_of(","));
-        std::vector<double> numbers(texts.size());
-        unsigned int        n_numbers = 0;
-        for (std::size_t i = 0; i < texts.size(); ++i)
-          n_numbers += read_number(texts[i], numbers[i]);
-        if (header_possible && n_numbers == 0 &&
-            std::string("0123456789.+-").find(line[0]) == std::string::npos)
-          {
-            header_possible = false;
-            continue;
-          }
-        header_possible = false;
+        const bool is_first = header_possible;
+        header_possible     = false;
+        if (is_first && may_be_titles(line))
+          continue;
 
         const std::string where = file + ":" + std::to_string(number);
-        if (n_numbers != lattice.dim + 1 || n_numbers != texts.size())
+        const std::vector<std::string> texts = split(line, ',');
+        std::vector<double>            numbers(texts.size());
+        bool                           good = texts.size() == lattice.dim + 1;
+        for (std::size_t i = 0; i < texts.size(); ++i)
+          good = read_number(texts[i], numbers[i]) && good;
+        if (!good)
           throw UserError(where,
-                          "\"" + line + "\"",
+                          in_quotes(line),
                           std::to_string(lattice.dim + 1) +
                             " numbers: " + columns(lattice.dim) +
-                            " (m, unit of the property)");
+                            " (m, unit of the property), with commas between "
+                            "them" +
+                            decimals_with_a_point);
 
         Measurement measurement;
         std::copy_n(numbers.begin(), lattice.dim, measurement.position.begin());

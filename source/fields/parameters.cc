@@ -3,11 +3,10 @@
 
 #include <waker/base/errors.h>
 #include <waker/base/expression_pattern.h>
+#include <waker/base/numbers.h>
 #include <waker/base/text.h>
 #include <waker/fields/marginal.h>
 #include <waker/fields/parameters.h>
-
-#include <cstdlib>
 
 namespace Waker
 {
@@ -127,7 +126,8 @@ namespace Waker
     if (scales.size() != dim)
       throw UserError(path + "/Scales of fluctuation",
                       "has " + std::to_string(scales.size()) + " numbers",
-                      std::to_string(dim) + " numbers above 0");
+                      std::to_string(dim) + " numbers above 0" +
+                        decimals_with_a_point);
     for (const double scale : scales)
       if (!(scale > 0.))
         throw UserError(path + "/Scales of fluctuation",
@@ -137,7 +137,7 @@ namespace Waker
       throw UserError(path + "/Cell size",
                       "has " + std::to_string(cell_size.size()) + " numbers",
                       "nothing, or " + std::to_string(dim) +
-                        " numbers above 0");
+                        " numbers above 0" + decimals_with_a_point);
     for (const double size : cell_size)
       if (!(size > 0.))
         throw UserError(path + "/Cell size",
@@ -191,7 +191,8 @@ namespace Waker
         "Random fields/Correlations",
         problem,
         "\"a, b: 0.5; ...\" with two names of fields and a number "
-        "from -1 to 1, each pair once");
+        "from -1 to 1, each pair once" +
+          std::string(decimals_with_a_point));
     };
     const auto number = [&](const std::string &field) {
       for (std::size_t i = 0; i < n; ++i)
@@ -208,15 +209,14 @@ namespace Waker
         const std::size_t comma = item.find(','), colon = item.rfind(':');
         if (comma == std::string::npos || colon == std::string::npos ||
             comma > colon)
-          refuse("contains \"" + item + "\"");
+          refuse("contains " + in_quotes(item));
         const std::size_t a = number(tidy(item.substr(0, comma)));
         const std::size_t b =
           number(tidy(item.substr(comma + 1, colon - comma - 1)));
         const std::string value = tidy(item.substr(colon + 1));
-        char             *rest  = nullptr;
-        const double      rho   = std::strtod(value.c_str(), &rest);
-        if (value.empty() || *rest != 0 || !(rho >= -1. && rho <= 1.))
-          refuse("contains \"" + item + "\"");
+        double            rho   = 0.;
+        if (!read_number(value, rho) || !(rho >= -1. && rho <= 1.))
+          refuse("contains " + in_quotes(item));
         if (a == b || matrix[a * n + b] != 0.)
           refuse("gives the pair \"" + item +
                  "\" twice, or a field with itself");

@@ -3,6 +3,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <waker/base/errors.h>
+#include <waker/base/numbers.h>
 #include <waker/nodes/fixities.h>
 
 #include <algorithm>
@@ -90,9 +91,9 @@ namespace Waker
     else
       choose("Type", type, {"fixed", "roller", "prescribed"});
 
-    const std::string per_direction = std::to_string(dim) + " numbers in " +
-                                      std::to_string(dim) + "D" +
-                                      (region == "box" ? "" : ", or nothing");
+    const std::string per_direction =
+      std::to_string(dim) + " numbers in " + std::to_string(dim) + "D" +
+      (region == "box" ? "" : ", or nothing") + decimals_with_a_point;
     for (const auto *limit : {&from, &to})
       if (limit->size() != dim && !(limit->empty() && region != "box"))
         throw UserError(path + (limit == &from ? "From" : "To"),

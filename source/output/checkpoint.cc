@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/base/file_error.h>
 #include <waker/base/version.h>
 #include <waker/output/checkpoint.h>
 #include <waker/output/files.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/base/file_error.h>
 #include <waker/output/files.h>
 
 #include <cerrno>
@@ -33,6 +34,13 @@ namespace Waker
   void
   throw_cannot_write(const std::string &path, const int error)
   {
+    // A place where nothing can be written is a mistake in the input; space
+    // that ends, or a device that fails, is none.
+    for (const int fault : {ENOSPC, EDQUOT, EFBIG, EIO})
+      if (error == fault)
+        throw FileError(path,
+                        std::string("cannot be written: ") +
+                          std::strerror(error));
     throw UserError("Output/Directory",
                     "cannot write '" + path + "': " + std::strerror(error),
                     "a writable folder with enough space");

@@ -105,6 +105,19 @@ namespace Waker
   }
 
 
+  std::string
+  valid_text(const std::string &directory)
+  {
+    std::error_code error;
+    const bool      is_empty =
+      !fs::exists(directory, error) || fs::is_empty(directory, error);
+    return "Valid. Nothing was written." +
+           (is_empty
+              ? std::string()
+              : " '" + directory + "' is not empty: --overwrite or --resume.");
+  }
+
+
   void
   prepare_output_folder(const std::string &directory,
                         const FolderMode   mode,

@@ -75,7 +75,7 @@ namespace Waker
     add_value(const Tensor<1, dim> &value);
 
     /// @param time of the state (s), stored in the file
-    /// @throws UserError "Output/Directory" if it cannot be written
+    /// @throws as throw_cannot_write() if it cannot be written
     void
     write(const double time, const std::string &path) const;
 

@@ -3,6 +3,7 @@
 
 #include <waker/base/checks.h>
 #include <waker/base/errors.h>
+#include <waker/base/numbers.h>
 #include <waker/base/text.h>
 #include <waker/particles/flow_parameters.h>
 
@@ -118,7 +119,8 @@ namespace Waker
       if (!limit->empty() && limit->size() != dim)
         throw UserError(path + (limit == &from ? "From" : "To"),
                         "has " + std::to_string(limit->size()) + " numbers",
-                        std::to_string(dim) + " numbers, or nothing");
+                        std::to_string(dim) + " numbers, or nothing" +
+                          decimals_with_a_point);
     if (!from.empty() && !to.empty())
       for (unsigned int d = 0; d < dim; ++d)
         if (d != face_number() / 2 && !(from[d] < to[d]))

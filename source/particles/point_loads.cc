@@ -2,6 +2,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <waker/base/errors.h>
+#include <waker/base/numbers.h>
 #include <waker/particles/point_loads.h>
 #include <waker/particles/polygon.h>
 
@@ -39,8 +40,8 @@ namespace Waker
       if (values.size() != dim)
         throw UserError(path + entry,
                         "has " + std::to_string(values.size()) + " numbers",
-                        std::to_string(dim) +
-                          " numbers (Dimension = " + std::to_string(dim) + ")");
+                        std::to_string(dim) + " numbers (Dimension = " +
+                          std::to_string(dim) + ")" + decimals_with_a_point);
     };
     require("From", from);
     require("Force", force);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <deal.II/base/utilities.h>
-
 #include <waker/base/errors.h>
+#include <waker/base/numbers.h>
+#include <waker/base/text.h>
 #include <waker/particles/polygon.h>
 
 #include <algorithm>
@@ -18,17 +18,8 @@ namespace Waker
       "a polygon \"x1, y1; x2, y2; x3, y3; ...\" in m whose edges neither "
       "cross nor touch";
 
-    /// A finite number, whatever the locale; false if it is none.
-    bool
-    read_number(const std::string &text, double &number)
-    {
-      const char *const begin =
-        text.data() + (text.size() > 1 && text[0] == '+' ? 1 : 0);
-      const char *const end    = text.data() + text.size();
-      const auto        result = std::from_chars(begin, end, number);
-      return result.ec == std::errc() && result.ptr == end &&
-             std::isfinite(number);
-    }
+    /// Each edge is compared with all others.
+    constexpr std::size_t most_corners = 10000;
 
     /// Twice the area of the triangle a, b, c: positive if c lies left of ab.
     double
@@ -163,19 +154,24 @@ namespace Waker
   Polygon
   parse_polygon(const std::string &text, const std::string &where)
   {
-    Polygon polygon;
-    for (const std::string &item :
-         dealii::Utilities::split_string_list(text, ';'))
+    Polygon                  polygon;
+    std::vector<std::string> items = split(text, ';');
+    if (!items.empty() && items.back().empty())
+      items.pop_back(); // a semicolon at the end
+    if (items.size() > most_corners)
+      throw UserError(where,
+                      "has " + std::to_string(items.size()) + " corners",
+                      "at most " + std::to_string(most_corners));
+    for (const std::string &item : items)
       {
-        const std::vector<std::string> numbers =
-          dealii::Utilities::split_string_list(item, ',');
-        Corner corner;
+        const std::vector<std::string> numbers = split(item, ',');
+        Corner                         corner;
         if (numbers.size() != 2 || !read_number(numbers[0], corner[0]) ||
             !read_number(numbers[1], corner[1]))
           throw UserError(where,
                           "corner " + std::to_string(polygon.size() + 1) +
-                            " is \"" + item + "\", not two numbers",
-                          allowed_polygon);
+                            " is " + in_quotes(item) + ", not two numbers",
+                          std::string(allowed_polygon) + decimals_with_a_point);
         polygon.push_back(corner);
       }
     polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
@@ -183,8 +179,8 @@ namespace Waker
       polygon.pop_back();
     if (polygon.size() < 3)
       throw UserError(where,
-                      "\"" + text + "\" has " + std::to_string(polygon.size()) +
-                        " corners",
+                      in_quotes(text) + " has " +
+                        std::to_string(polygon.size()) + " corners",
                       "3 corners or more");
 
     double size = 0.;
@@ -200,7 +196,7 @@ namespace Waker
     const double area = signed_area(polygon);
     if (!(std::abs(area) > 1e-12 * size * size))
       throw UserError(where,
-                      "the corners \"" + text + "\" enclose no area",
+                      "the corners " + in_quotes(text) + " enclose no area",
                       "a polygon with an area");
     if (area < 0.)
       std::reverse(polygon.begin(), polygon.end());

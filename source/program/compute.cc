@@ -151,7 +151,11 @@ namespace Waker
         throw UserError("Random fields/Names",
                         "there are random fields, but no --realisation i",
                         "waker run FILE --realisation i, waker campaign FILE, "
-                        "or --set \"Random fields/Names=\"");
+                        "or --set \"Random fields/Names=\"" +
+                          std::string(
+                            input.reliability.fields.correlations.empty()
+                              ? ""
+                              : " --set \"Random fields/Correlations=\""));
       if (!is_random)
         return exit_code(run<dim>(input.simulation, options, MPI_COMM_WORLD));
       return exit_code(run_realisation<dim>(input,

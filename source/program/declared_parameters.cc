@@ -5,8 +5,10 @@
 #include <waker/program/prm_scanner.h>
 #include <waker/reliability/input.h>
 
-#include <nlohmann/json.hpp>
+#include <boost/property_tree/ptree.hpp>
+#include <boost/property_tree/xml_parser.hpp>
 #include <sstream>
+#include <utility>
 
 namespace Waker
 {
@@ -51,29 +53,61 @@ namespace Waker
     }
 
 
-    /// Collect the leaves of deal.II's JSON, which is the only way it tells
-    /// what has been declared.
+    using Tree = boost::property_tree::ptree;
+
+
+    /// deal.II writes all but letters and digits of a name as "_" and the
+    /// number of the byte. Only its XML keeps that: in its JSON a point in a
+    /// name makes two sections of one.
+    std::string
+    demangled(const std::string &name)
+    {
+      std::string result;
+      for (std::size_t i = 0; i < name.size(); ++i)
+        if (name[i] == '_' && i + 2 < name.size())
+          {
+            result += static_cast<char>(
+              std::stoi(name.substr(i + 1, 2), nullptr, /* base = */ 16));
+            i += 2;
+          }
+        else
+          result += name[i];
+      return result;
+    }
+
+
+    /// Collect the leaves of deal.II's tree.
     void
-    collect(const nlohmann::ordered_json   &node,
+    collect(const Tree                     &node,
             const std::string              &section,
             std::vector<DeclaredParameter> &result)
     {
-      for (const auto &item : node.items())
-        {
-          const nlohmann::ordered_json &child = item.value();
-          const auto pattern = child.find("pattern_description");
-          if (pattern == child.end() || !pattern->is_string())
-            collect(child, parameter_path(section, item.key()), result);
-          else
-            result.push_back({section,
-                              item.key(),
-                              tidy(child["value"]),
-                              tidy(child["default_value"]),
-                              *pattern,
-                              child["documentation"]});
-        }
+      const auto text = [](const Tree &leaf, const char *const key) {
+        return leaf.get<std::string>(key, "");
+      };
+      for (const auto &[key, child] : node)
+        if (child.find("pattern_description") == child.not_found())
+          collect(child, parameter_path(section, demangled(key)), result);
+        else
+          result.push_back({section,
+                            demangled(key),
+                            tidy(text(child, "value")),
+                            tidy(text(child, "default_value")),
+                            text(child, "pattern_description"),
+                            text(child, "documentation")});
     }
   } // namespace
+
+
+  const std::vector<NamedSection> named_sections = {
+    {"Materials", "Names", &ParameterNames::materials},
+    {"Soil profile", "Layers", &ParameterNames::layers},
+    {"Boundary conditions", "Names", &ParameterNames::conditions},
+    {"Tractions", "Names", &ParameterNames::tractions},
+    {"Point loads", "Names", &ParameterNames::point_loads},
+    {"Walls", "Names", &ParameterNames::walls},
+    {"Inflow", "Names", &ParameterNames::inflows},
+    {"Random fields", "Names", &ParameterNames::fields}};
 
 
   std::string
@@ -174,12 +208,46 @@ namespace Waker
   std::vector<DeclaredParameter>
   declared_parameters(const ParameterHandler &prm)
   {
-    std::ostringstream text;
+    std::stringstream text;
     prm.print_parameters(text,
-                         ParameterHandler::JSON |
+                         ParameterHandler::XML |
                            ParameterHandler::KeepDeclarationOrder);
+    Tree tree;
+    boost::property_tree::read_xml(text, tree);
     std::vector<DeclaredParameter> result;
-    collect(nlohmann::ordered_json::parse(text.str()), "", result);
+    collect(tree.get_child("ParameterHandler"), "", result);
     return result;
+  }
+
+
+  DeclaredIndex::DeclaredIndex(std::vector<DeclaredParameter> given)
+    : parameters(std::move(given))
+  {
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+      {
+        places.emplace(parameters[i].path(), i);
+        // With all sections above it.
+        std::string section = parameters[i].section;
+        while (!section.empty() && sections.insert(section).second)
+          {
+            const std::size_t slash = section.rfind('/');
+            section.resize(slash == std::string::npos ? 0 : slash);
+          }
+      }
+  }
+
+
+  const DeclaredParameter *
+  DeclaredIndex::find(const std::string &path) const
+  {
+    const auto found = places.find(path);
+    return found == places.end() ? nullptr : &parameters[found->second];
+  }
+
+
+  bool
+  DeclaredIndex::has_section(const std::string &path) const
+  {
+    return sections.count(path) != 0;
   }
 } // namespace Waker

@@ -2,9 +2,11 @@
 #include <deal.II/base/exceptions.h>
 
 #include <waker/base/errors.h>
+#include <waker/base/file_error.h>
+#include <waker/base/text.h>
 #include <waker/program/exit_codes.h>
-#include <waker/program/prm_scanner.h>
 
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <sstream>
@@ -13,11 +15,35 @@ namespace Waker
 {
   namespace
   {
+    /// In one piece: several ranks may have something to say.
+    void
+    print_lines(const std::string &where,
+                const std::string &what,
+                const std::string &allowed)
+    {
+      constexpr std::size_t longest = 1000;
+      std::cerr << printable(where, longest) + "\n" + printable(what, longest) +
+                     "\nallowed: " + printable(allowed, longest) + "\n"
+                << std::flush;
+    }
+
+
+    int
+    report_file_error(const std::string &path, const std::string &what)
+    {
+      print_lines(path,
+                  what,
+                  "a writable folder with enough space; what is finished is "
+                  "kept, --resume goes on from there");
+      return file_error;
+    }
+
+
     int
     report_internal_error(const std::string &what)
     {
-      std::cerr << "waker: internal error, please report it: " + tidy(what) +
-                     "\n"
+      std::cerr << "waker: internal error, please report it: " +
+                     printable(what, 1000) + "\n"
                 << std::flush;
       return internal_error;
     }
@@ -33,15 +59,22 @@ namespace Waker
       }
     catch (const UserError &error)
       {
-        // In one piece: several ranks may have something to say.
-        std::cerr << tidy(error.where) + "\n" + tidy(error.problem) +
-                       "\nallowed: " + tidy(error.allowed) + "\n"
-                  << std::flush;
+        print_lines(error.where, error.problem, error.allowed);
         return wrong_input;
+      }
+    catch (const FileError &error)
+      {
+        return report_file_error(error.path, error.problem);
+      }
+    catch (const std::filesystem::filesystem_error &error)
+      {
+        return report_file_error(error.path1().string(),
+                                 "cannot be used: " + error.code().message());
       }
     catch (const NumericalFailure &error)
       {
-        std::cerr << "numerical failure: " + tidy(error.what()) + "\n"
+        std::cerr << "numerical failure: " + printable(error.what(), 1000) +
+                       "\n"
                   << std::flush;
         return numerical_failure;
       }

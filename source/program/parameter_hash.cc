@@ -67,13 +67,15 @@ namespace Waker
     template <typename Predicate>
     std::string
     hash_of(const std::vector<DeclaredParameter> &parameters,
+            const FileContents                    files,
             const Predicate                      &counts)
     {
       std::string text;
       for (const DeclaredParameter &parameter : parameters)
         if (counts(parameter))
           text += parameter.path() + "=" +
-                  (parameter.is_input_file() && !parameter.value.empty()
+                  (files == FileContents::count && parameter.is_input_file() &&
+                       !parameter.value.empty()
                      ? "contents " + hash_of_text(contents(parameter))
                      : parameter.value) +
                   "\n";
@@ -83,15 +85,17 @@ namespace Waker
 
 
   std::string
-  hash_of_steps(const std::vector<DeclaredParameter> &parameters)
+  hash_of_steps(const std::vector<DeclaredParameter> &parameters,
+                const FileContents                    files)
   {
-    return hash_of(parameters, decides_steps);
+    return hash_of(parameters, files, decides_steps);
   }
 
 
   std::string
-  hash_of_records(const std::vector<DeclaredParameter> &parameters)
+  hash_of_records(const std::vector<DeclaredParameter> &parameters,
+                  const FileContents                    files)
   {
-    return hash_of(parameters, decides_records);
+    return hash_of(parameters, files, decides_records);
   }
 } // namespace Waker

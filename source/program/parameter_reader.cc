@@ -4,6 +4,7 @@
 #include <waker/base/errors.h>
 #include <waker/program/declared_parameters.h>
 #include <waker/program/parameter_hash.h>
+#include <waker/program/parameter_names.h>
 #include <waker/program/parameter_reader.h>
 #include <waker/program/parameter_text.h>
 #include <waker/program/prm_scanner.h>
@@ -46,6 +47,9 @@ namespace Waker
 
   namespace
   {
+    constexpr std::size_t longest_value = 1000000; // bytes
+
+
     PrmContents
     scan_source(const std::string &source, const std::string &name)
     {
@@ -68,74 +72,6 @@ namespace Waker
     }
 
 
-    /// The overrides replace entries of the file.
-    void
-    override_entries(std::vector<PrmEntry>       &entries,
-                     const std::vector<PrmEntry> &overrides)
-    {
-      for (const PrmEntry &override_entry : overrides)
-        {
-          entries.erase(std::remove_if(entries.begin(),
-                                       entries.end(),
-                                       [&](const PrmEntry &entry) {
-                                         return entry.path() ==
-                                                override_entry.path();
-                                       }),
-                        entries.end());
-          entries.push_back(override_entry);
-        }
-    }
-
-
-    /// Does the file or the command line say anything about this section?
-    bool
-    is_mentioned(const PrmContents &contents, const std::string &section)
-    {
-      for (const PrmSection &other : contents.sections)
-        if (other.path == section)
-          return true;
-      for (const PrmEntry &entry : contents.entries)
-        if (entry.section == section)
-          return true;
-      return false;
-    }
-
-
-    /// The list of names at `section`/`list`, each of which must have a
-    /// subsection: a forgotten one would silently mean default values.
-    std::vector<std::string>
-    read_names(const PrmContents &contents,
-               const std::string &section,
-               const std::string &list)
-    {
-      for (const PrmEntry &entry : contents.entries)
-        if (entry.section == section && entry.name == list)
-          {
-            const std::vector<std::string> names = split(entry.value, ',');
-            const auto refuse = [&entry](const std::string &what,
-                                         const std::string &allowed) {
-              throw UserError(entry.where, entry.path() + ": " + what, allowed);
-            };
-            for (const std::string &name : names)
-              {
-                if (name.empty() || name == list ||
-                    name.find('/') != std::string::npos)
-                  refuse(in_quotes(name) + " is no name",
-                         "names without \"/\", separated by commas");
-                if (std::count(names.begin(), names.end(), name) > 1)
-                  refuse(in_quotes(name) + " is listed twice",
-                         "each name once");
-                if (!is_mentioned(contents, parameter_path(section, name)))
-                  refuse("there is no subsection " + in_quotes(name),
-                         "a subsection of " + in_quotes(section) +
-                           " for every name");
-              }
-            return names;
-          }
-      return {};
-    }
-
-
     /// Check an entry and hand it to deal.II, which sets the struct.
     void
     set_entry(ParameterHandler        &prm,
@@ -146,8 +82,13 @@ namespace Waker
         throw UserError(entry.where,
                         entry.path() + ": " + in_quotes(entry.value) +
                           " is not allowed",
-                        pattern_in_words(declaration.pattern));
+                        allowed_instead(entry.value, declaration.pattern));
       };
+      if (entry.value.size() > longest_value)
+        throw UserError(entry.where,
+                        entry.path() + ": has " +
+                          std::to_string(entry.value.size()) + " characters",
+                        "at most " + std::to_string(longest_value));
       if (!matches_pattern(entry.value, declaration.pattern))
         refuse();
 
@@ -171,30 +112,24 @@ namespace Waker
   namespace
   {
     std::unique_ptr<Input>
-    make_input(const PrmContents &contents, ParameterLocations &map)
+    make_input(const PrmContents  &contents,
+               ParameterLocations &map,
+               const FileContents  files)
     {
       // First the names, then the subsections that they call for.
-      ParameterNames names;
-      names.materials   = read_names(contents, "Materials", "Names");
-      names.layers      = read_names(contents, "Soil profile", "Layers");
-      names.conditions  = read_names(contents, "Boundary conditions", "Names");
-      names.tractions   = read_names(contents, "Tractions", "Names");
-      names.point_loads = read_names(contents, "Point loads", "Names");
-      names.walls       = read_names(contents, "Walls", "Names");
-      names.inflows     = read_names(contents, "Inflow", "Names");
-      names.fields      = read_names(contents, "Random fields", "Names");
+      const ParameterNames names = read_names(contents);
 
       auto             input = std::make_unique<Input>();
       ParameterHandler prm;
       declare_parameters(prm, *input, names);
-      const std::vector<DeclaredParameter> declared = declared_parameters(prm);
+      const DeclaredIndex declared(declared_parameters(prm));
 
       for (const PrmSection &section : contents.sections)
         {
           check_section(section, declared);
           map.lines[section.path] = section.where;
         }
-      for (const DeclaredParameter &parameter : declared)
+      for (const DeclaredParameter &parameter : declared.all())
         {
           map.known.insert(parameter.path());
           // deal.II writes some defaults in its own way: 1e-04.
@@ -217,8 +152,8 @@ namespace Waker
       try
         {
           input->check();
-          input->simulation.hash = hash_of_steps(values);
-          input->campaign_hash   = hash_of_records(values);
+          input->simulation.hash = hash_of_steps(values, files);
+          input->campaign_hash   = hash_of_records(values, files);
         }
       catch (const UserError &error)
         {
@@ -239,7 +174,7 @@ namespace Waker
                                     : source;
       const std::vector<PrmEntry> override_list = scan_overrides(overrides);
       PrmContents                 contents = scan_source(source, map.source);
-      override_entries(contents.entries, override_list);
+      override_entries(contents, override_list);
       return contents;
     }
   } // namespace
@@ -277,14 +212,15 @@ namespace Waker
   std::vector<std::unique_ptr<Input>>
   read_scenarios(const std::string              &source,
                  const std::vector<std::string> &overrides,
-                 ParameterLocations             *locations)
+                 ParameterLocations             *locations,
+                 const FileContents              files)
   {
     ParameterLocations  own_locations;
     ParameterLocations &map = locations != nullptr ? *locations : own_locations;
     const PrmContents   contents = read_contents(source, overrides, map);
 
     std::vector<std::unique_ptr<Input>> scenarios;
-    scenarios.push_back(make_input(contents, map));
+    scenarios.push_back(make_input(contents, map, files));
     const SweepParameters sweep = scenarios[0]->reliability.sweep;
     if (sweep.parameter.empty())
       return scenarios;
@@ -307,12 +243,12 @@ namespace Waker
         PrmContents        changed = contents;
         ParameterLocations unused  = map;
         override_entries(
-          changed.entries,
+          changed,
           {{slash == std::string::npos ? "" : path.substr(0, slash),
             path.substr(slash == std::string::npos ? 0 : slash + 1),
             value,
             map.where("Sweep/Values")}});
-        scenarios.push_back(make_input(changed, unused));
+        scenarios.push_back(make_input(changed, unused, files));
         check_scenario(scenarios, map);
       }
     return scenarios;
@@ -328,6 +264,6 @@ namespace Waker
     ParameterLocations &map = locations != nullptr ? *locations : own_locations;
     const PrmContents   contents = read_contents(source, overrides, map);
     return std::make_unique<Parameters>(
-      std::move(make_input(contents, map)->simulation));
+      std::move(make_input(contents, map, FileContents::count)->simulation));
   }
 } // namespace Waker

@@ -6,6 +6,7 @@
 #include <waker/base/text.h>
 #include <waker/output/files.h>
 #include <waker/program/parameter_text.h>
+#include <waker/program/prm_scanner.h>
 
 #include <filesystem>
 #include <sstream>
@@ -35,11 +36,15 @@ namespace Waker
   {
     for (const DeclaredParameter &parameter : values)
       if (parameter.is_input_file() && !parameter.value.empty())
-        set_value(prm,
-                  parameter,
-                  std::filesystem::absolute(parameter.value)
-                    .lexically_normal()
-                    .string());
+        {
+          // A folder above may have a name that the file could not hold.
+          const std::string absolute =
+            std::filesystem::absolute(parameter.value)
+              .lexically_normal()
+              .string();
+          if (fits_prm(absolute))
+            set_value(prm, parameter, absolute);
+        }
     std::ostringstream text;
     prm.print_parameters(text,
                          ParameterHandler::ShortPRM |

@@ -2,10 +2,13 @@
 #include <deal.II/base/patterns.h>
 
 #include <waker/base/expression_pattern.h>
+#include <waker/base/numbers.h>
 #include <waker/program/declared_parameters.h>
 #include <waker/program/prm_scanner.h>
 
+#include <algorithm>
 #include <charconv>
+#include <limits>
 #include <regex>
 #include <sstream>
 
@@ -18,6 +21,9 @@ namespace Waker
     {
       return text.rfind(start, 0) == 0;
     }
+
+
+    constexpr std::ptrdiff_t most_entries = 10000; // of a list
 
 
     struct ListPattern
@@ -117,11 +123,40 @@ namespace Waker
   }
 
 
+  std::string
+  allowed_instead(const std::string &value, const std::string &pattern)
+  {
+    std::string words = pattern_in_words(pattern);
+    const bool  is_whole_number =
+      !value.empty() &&
+      value.find_first_not_of("0123456789") == std::string::npos;
+    if (pattern.find("[Double") != std::string::npos)
+      {
+        if (std::count(value.begin(), value.end(), ',') >= most_entries)
+          words += ", at most " + std::to_string(most_entries);
+        else if (value.find(',') != std::string::npos)
+          words += decimals_with_a_point;
+        else if (starts_with(pattern, "[Double"))
+          words += " that is finite and written like 2.5 or 1e-3";
+      }
+    else if (starts_with(pattern, "[Integer") && is_whole_number &&
+             words.find(" to ") == std::string::npos)
+      words += ", at most " + std::to_string(std::numeric_limits<int>::max());
+    return words;
+  }
+
+
   bool
   matches_pattern(const std::string &value, const std::string &pattern)
   {
     if (ExpressionPattern::is_description(pattern))
       return ExpressionPattern().match(value);
+    // The pattern takes a list apart in a time that grows with its square.
+    ListPattern list;
+    if (parse_list(pattern, list) &&
+        std::count(value.begin(), value.end(), list.separator[0]) >=
+          most_entries)
+      return false;
     return Patterns::pattern_factory(pattern)->match(value);
   }
 

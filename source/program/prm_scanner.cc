@@ -2,9 +2,9 @@
 #include <waker/base/errors.h>
 #include <waker/program/prm_scanner.h>
 
-#include <cctype>
 #include <istream>
 #include <map>
+#include <set>
 
 namespace Waker
 {
@@ -22,23 +22,13 @@ namespace Waker
   }
 
 
-  std::string
-  in_quotes(const std::string &text)
-  {
-    const std::size_t longest = 60;
-    std::string       result  = "\"";
-    for (const char c : text.substr(0, longest))
-      result += std::iscntrl(static_cast<unsigned char>(c)) != 0 ? '?' : c;
-    if (text.size() > longest)
-      result += "...";
-    return result + "\"";
-  }
-
-
   namespace
   {
     const std::string grammar =
       "\"subsection NAME\", \"set NAME = VALUE\", \"end\" or \"# comment\"";
+
+    constexpr std::size_t most_levels = 10;
+
 
     bool
     starts_with_word(const std::string &line,
@@ -64,6 +54,11 @@ namespace Waker
         if (line.empty())
           return;
         where = source + ":" + std::to_string(number);
+        if (!is_plain_text(line))
+          throw UserError(where,
+                          "cannot read " + in_quotes(line),
+                          grammar + ", in UTF-8 (the file may be saved in "
+                                    "another encoding, or be no text)");
         if (starts_with_word(line, "subsection", "SUBSECTION"))
           open_section(tidy(line.substr(10)));
         else if (starts_with_word(line, "set", "SET"))
@@ -98,6 +93,14 @@ namespace Waker
           throw UserError(where,
                           "subsection " + in_quotes(name) + " is no name",
                           "a name without \"/\"");
+        // Paths grow with the depth: a limit, or thousands of levels take
+        // time and memory with the square of their number.
+        if (open.size() >= most_levels)
+          throw UserError(where,
+                          "subsection " + in_quotes(name) + " lies " +
+                            std::to_string(open.size()) + " subsections deep",
+                          "at most two levels of subsections; is an \"end\" "
+                          "missing?");
         const std::string path =
           parameter_path(open.empty() ? "" : open.back().path, name);
         remember("section " + path, "subsection " + in_quotes(path));
@@ -162,8 +165,8 @@ namespace Waker
     while (std::getline(input, physical_line))
       {
         ++number;
-        if (number == 1 && physical_line.rfind("\xEF\xBB\xBF", 0) == 0)
-          physical_line.erase(0, 3); // byte order mark of some editors
+        if (number == 1)
+          physical_line = without_byte_order_mark(physical_line);
 
         // The line number of an entry is that of its first line.
         if (line.empty())
@@ -182,10 +185,44 @@ namespace Waker
   }
 
 
+  bool
+  fits_prm(const std::string &value)
+  {
+    return is_plain_text(value) && tidy(value) == value &&
+           value.find('#') == std::string::npos &&
+           (value.empty() || value.back() != '\\');
+  }
+
+
+  namespace
+  {
+    /// Only the command line can give a value that the language of the file
+    /// cannot: its parameters.prm would say something else.
+    void
+    check_representable(const PrmEntry &entry)
+    {
+      const std::string allowed =
+        "text in UTF-8 that a .prm file can hold: no \"#\", which begins a "
+        "comment there, no control characters, no \"\\\" at the end";
+      if (!is_plain_text(entry.section) || !is_plain_text(entry.name) ||
+          !is_plain_text(entry.value))
+        throw UserError(entry.where,
+                        in_quotes(entry.value) + " is no plain text",
+                        allowed);
+      if (!fits_prm(entry.value))
+        throw UserError(entry.where,
+                        in_quotes(entry.value) +
+                          " cannot be written to parameters.prm",
+                        allowed);
+    }
+  } // namespace
+
+
   std::vector<PrmEntry>
   scan_overrides(const std::vector<std::string> &overrides)
   {
     std::vector<PrmEntry> entries;
+    std::set<std::string> paths;
     for (const std::string &text : overrides)
       {
         const std::size_t        equals = text.find('=');
@@ -202,11 +239,11 @@ namespace Waker
         for (const std::string &name : names)
           entry.section = parameter_path(entry.section, name);
         entry.where = "--set " + entry.path();
-        for (const PrmEntry &other : entries)
-          if (other.path() == entry.path())
-            throw UserError(entry.where,
-                            in_quotes(entry.path()) + " is given twice",
-                            "each name once on the command line");
+        if (!paths.insert(entry.path()).second)
+          throw UserError(entry.where,
+                          in_quotes(entry.path()) + " is given twice",
+                          "each name once on the command line");
+        check_representable(entry);
         entries.push_back(entry);
       }
     return entries;

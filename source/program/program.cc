@@ -2,6 +2,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <waker/base/errors.h>
+#include <waker/base/file_error.h>
 #include <waker/base/log.h>
 #include <waker/program/command_line.h>
 #include <waker/program/compute.h>
@@ -30,7 +31,11 @@ namespace Waker
         throw UserError(line.file,
                         "holds no campaign: no campaign.json can be read",
                         "the output folder of waker campaign");
-      const Scenarios scenarios = read_scenarios(parameters, line.overrides);
+      // Nothing is computed: the measurements, say, may be gone by now.
+      const Scenarios scenarios = read_scenarios(parameters,
+                                                 line.overrides,
+                                                 nullptr,
+                                                 FileContents::left_out);
       Log             log(std::cout, false);
       if (line.command == Command::merge)
         merge_campaign(line.file, *scenarios[0], line.all, log);
@@ -41,7 +46,7 @@ namespace Waker
 
 
     int
-    execute(const CommandLine &line, char **argv)
+    run_command(const CommandLine &line, char **argv)
     {
       switch (line.command)
         {
@@ -60,6 +65,20 @@ namespace Waker
             return read_campaign(line);
         }
       return internal_error;
+    }
+
+
+    int
+    execute(const CommandLine &line, char **argv)
+    {
+      const int code = run_command(line, argv);
+      // What these print is all that they are for.
+      const bool is_for_the_screen = line.command == Command::none ||
+                                     line.command == Command::parameters ||
+                                     line.command == Command::status;
+      if (is_for_the_screen && !std::cout.flush())
+        throw FileError("standard output", "cannot be written");
+      return code;
     }
   } // namespace
 

@@ -46,13 +46,13 @@ namespace Waker
 
     /// Names of the entries and of the sections directly below `section`.
     void
-    children(const std::string                    &section,
-             const std::vector<DeclaredParameter> &declared,
-             std::vector<std::string>             &entries,
-             std::vector<std::string>             &subsections)
+    children(const std::string        &section,
+             const DeclaredIndex      &declared,
+             std::vector<std::string> &entries,
+             std::vector<std::string> &subsections)
     {
       const std::string prefix = section.empty() ? "" : section + "/";
-      for (const DeclaredParameter &parameter : declared)
+      for (const DeclaredParameter &parameter : declared.all())
         if (parameter.section == section)
           entries.push_back(parameter.name);
         else if (parameter.section.rfind(prefix, 0) == 0)
@@ -87,6 +87,8 @@ namespace Waker
                const std::vector<std::string> &candidates)
   {
     std::string best;
+    if (name.size() > 100) // none of ours
+      return best;
     std::size_t least = std::max<std::size_t>(2, name.size() / 3) + 1;
     for (const std::string &candidate : candidates)
       {
@@ -101,36 +103,33 @@ namespace Waker
   }
 
 
-  void
-  check_section(const PrmSection                     &section,
-                const std::vector<DeclaredParameter> &declared)
+  std::string
+  did_you_mean(const std::string &name)
   {
+    return name.empty() ? "" : "did you mean " + in_quotes(name) + "? ";
+  }
+
+
+  void
+  check_section(const PrmSection &section, const DeclaredIndex &declared)
+  {
+    if (declared.has_section(section.path))
+      return;
+
     const std::string above = parent(section.path);
     const std::string name =
       section.path.substr(above.empty() ? 0 : above.size() + 1);
     std::vector<std::string> entries, subsections;
     children(above, declared, entries, subsections);
-    if (std::find(subsections.begin(), subsections.end(), name) !=
-        subsections.end())
-      return;
-
-    bool named = false;
-    for (const char *const section : {"Materials",
-                                      "Soil profile",
-                                      "Boundary conditions",
-                                      "Tractions",
-                                      "Point loads",
-                                      "Walls",
-                                      "Inflow"})
-      named = named || above == section;
-    const std::string best = nearest_name(name, subsections);
-    std::string       allowed;
-    if (!best.empty())
-      allowed = "did you mean " + in_quotes(best) + "? ";
-    if (named)
-      allowed += "names that \"" + above +
-                 (above == "Soil profile" ? "/Layers" : "/Names") +
-                 "\" lists: " +
+    std::string allowed = did_you_mean(nearest_name(name, subsections));
+    const auto  named   = std::find_if(named_sections.begin(),
+                                    named_sections.end(),
+                                    [&](const NamedSection &candidate) {
+                                      return candidate.section == above;
+                                    });
+    if (named != named_sections.end())
+      allowed += "names that " + in_quotes(above + "/" + named->list) +
+                 " lists: " +
                  (subsections.empty() ? "none so far" : joined(subsections));
     else
       allowed += subsections.empty() ? in_quotes(above) + " has no subsections"
@@ -143,12 +142,11 @@ namespace Waker
 
 
   const DeclaredParameter &
-  find_declared(const PrmEntry                       &entry,
-                const std::vector<DeclaredParameter> &declared)
+  find_declared(const PrmEntry &entry, const DeclaredIndex &declared)
   {
-    for (const DeclaredParameter &parameter : declared)
-      if (parameter.name == entry.name && parameter.section == entry.section)
-        return parameter;
+    const DeclaredParameter *const found = declared.find(entry.path());
+    if (found != nullptr && found->name == entry.name)
+      return *found;
 
     // On the command line the section may be wrong as well.
     std::string section;
@@ -161,14 +159,22 @@ namespace Waker
     std::vector<std::string> entries, subsections;
     children(entry.section, declared, entries, subsections);
     std::string best = nearest_name(entry.name, entries);
-    if (best.empty())
-      for (const DeclaredParameter &parameter : declared)
-        if (parameter.name == entry.name)
-          best = parameter.path();
-    throw UserError(
-      entry.where,
-      "unknown name " + in_quotes(entry.name) + " " + in_section(entry.section),
-      (best.empty() ? "" : "did you mean " + in_quotes(best) + "? ") +
-        joined(entries));
+    for (const DeclaredParameter &parameter : declared.all())
+      if (best.empty() && parameter.name == entry.name)
+        best = parameter.path();
+    // "Water.Level" stands for a path; names that are no more like it do not.
+    if (best.empty() && entry.section.empty())
+      {
+        std::vector<std::string> paths;
+        for (const DeclaredParameter &parameter : declared.all())
+          if (parameter.path().size() + 2 >= entry.name.size() &&
+              entry.name.size() + 2 >= parameter.path().size())
+            paths.push_back(parameter.path());
+        best = nearest_name(entry.name, paths);
+      }
+    throw UserError(entry.where,
+                    "unknown name " + in_quotes(entry.name) + " " +
+                      in_section(entry.section),
+                    did_you_mean(best) + joined(entries));
   }
 } // namespace Waker

@@ -4,6 +4,7 @@
 #include <waker/base/log.h>
 #include <waker/base/sizes.h>
 #include <waker/output/files.h>
+#include <waker/output/output_folder.h>
 #include <waker/output/summary.h>
 #include <waker/reliability/campaign_files.h>
 #include <waker/reliability/campaign_folder.h>
@@ -247,7 +248,7 @@ namespace Waker
     log.line(campaign_text(info, n_ranks));
     if (options.validate_only)
       {
-        log.line("Valid. Nothing was written.");
+        log.line(valid_text(folder));
         return CampaignStatus::completed;
       }
     MPI_Barrier(communicator); // the folder is there

@@ -122,6 +122,11 @@ namespace Waker
     if (options.overwrite || has_campaign(folder))
       refuse_links(folder, files_of_campaign(folder));
     const bool joins = options.resume || options.is_part;
+    if (options.validate_only && !joins)
+      {
+        check_output_folder(folder, FolderMode::only_checked);
+        return;
+      }
     if (has_campaign(folder) && joins)
       {
         check_output_folder(folder, FolderMode::resume);

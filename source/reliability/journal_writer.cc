@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <waker/base/errors.h>
+#include <waker/base/file_error.h>
 #include <waker/base/hash.h>
 #include <waker/output/files.h>
 #include <waker/reliability/campaign_files.h>
@@ -18,10 +18,9 @@ namespace Waker
     [[noreturn]] void
     throw_journal_full(const std::string &path, const int error)
     {
-      throw UserError(path,
-                      std::string("cannot be written: ") + std::strerror(error),
-                      "a writable folder with enough space; what is finished "
-                      "is kept, --resume goes on from there");
+      throw FileError(path,
+                      std::string("cannot be written: ") +
+                        std::strerror(error));
     }
   } // namespace
 

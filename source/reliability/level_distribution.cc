@@ -2,11 +2,12 @@
 #include <deal.II/base/exceptions.h>
 
 #include <waker/base/errors.h>
+#include <waker/base/numbers.h>
+#include <waker/base/text.h>
 #include <waker/reliability/fragility.h>
 
 #include <algorithm>
 #include <cmath>
-#include <locale>
 #include <sstream>
 
 namespace Waker
@@ -41,41 +42,37 @@ namespace Waker
                                  const std::string &name)
   {
     std::vector<double> levels, exceedance;
-    std::istringstream  lines(text);
+    std::istringstream  lines(without_byte_order_mark(text));
     std::string         line;
-    bool                may_be_titles = true;
+    bool                may_have_titles = true;
     for (unsigned int number = 1; std::getline(lines, line); ++number)
       {
-        if (line.find_first_not_of(" \t\r") == std::string::npos ||
-            line[line.find_first_not_of(" \t")] == '#')
+        line = tidy(line);
+        if (line.empty() || line[0] == '#')
           continue;
         const auto complain = [&](const std::string &problem,
                                   const std::string &allowed) {
           throw UserError(name + ":" + std::to_string(number),
-                          problem,
+                          in_quotes(line) + " " + problem,
                           allowed);
         };
-
-        std::istringstream stream(line);
-        stream.imbue(std::locale::classic());
-        double      level = 0., probability = 0.;
-        char        comma = 0;
-        std::string rest;
-        const bool  good = (stream >> level >> comma >> probability) &&
-                          comma == ',' && !(stream >> rest);
-        const bool is_first = may_be_titles;
-        may_be_titles       = false;
-        if (!good && is_first)
+        const bool is_first = may_have_titles;
+        may_have_titles     = false;
+        if (is_first && may_be_titles(line))
           continue;
-        if (!good)
-          complain("'" + line + "' is not a level and a probability",
-                   "two numbers with a comma between them");
+
+        const std::vector<std::string> parts = split(line, ',');
+        double                         level = 0., probability = 0.;
+        if (parts.size() != 2 || !read_number(parts[0], level) ||
+            !read_number(parts[1], probability))
+          complain("is not a level and a probability",
+                   std::string("two numbers with a comma between them") +
+                     decimals_with_a_point);
         if (!(probability > 0. && probability <= 1.))
-          complain("the probability in '" + line + "' is out of range",
-                   "above 0, at most 1");
+          complain("has a probability out of range", "above 0, at most 1");
         if (!levels.empty() &&
             !(level > levels.back() && probability < exceedance.back()))
-          complain("'" + line + "' does not continue the table",
+          complain("does not continue the table",
                    "rising levels and falling probabilities");
         levels.push_back(level);
         exceedance.push_back(probability);

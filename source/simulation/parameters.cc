@@ -3,6 +3,7 @@
 
 #include <waker/base/checks.h>
 #include <waker/base/errors.h>
+#include <waker/base/numbers.h>
 #include <waker/base/sizes.h>
 #include <waker/simulation/parameters.h>
 
@@ -29,7 +30,8 @@ namespace Waker
       if (values.size() != length)
         throw UserError(path,
                         "has " + std::to_string(values.size()) + " numbers",
-                        std::to_string(length) + " numbers (" + reason + ")");
+                        std::to_string(length) + " numbers (" + reason + ")" +
+                          decimals_with_a_point);
     }
 
 

@@ -20,15 +20,6 @@ namespace Waker
 {
   namespace
   {
-    FolderMode
-    folder_mode(const RunOptions &options)
-    {
-      return options.resume      ? FolderMode::resume
-             : options.overwrite ? FolderMode::overwrite
-                                 : FolderMode::must_be_new;
-    }
-
-
     bool
     interrupted(const RunOptions &options)
     {
@@ -240,6 +231,16 @@ namespace Waker
   } // namespace
 
 
+  FolderMode
+  folder_mode(const RunOptions &options)
+  {
+    return options.resume          ? FolderMode::resume
+           : options.validate_only ? FolderMode::only_checked
+           : options.overwrite     ? FolderMode::overwrite
+                                   : FolderMode::must_be_new;
+  }
+
+
   template <int dim>
   RunStatus
   run(const Parameters        &parameters,
@@ -248,7 +249,8 @@ namespace Waker
       const InitialSetup<dim> &setup)
   {
     const std::string &directory = parameters.output.directory;
-    refuse_campaign_folder(directory);
+    if (!options.validate_only)
+      refuse_campaign_folder(directory);
     check_output_folder(directory, folder_mode(options));
     if (!options.validate_only)
       refuse_locked_folder(directory);
@@ -292,7 +294,7 @@ namespace Waker
     if (options.validate_only)
       {
         describe();
-        log.line("Valid. Nothing was written.");
+        log.line(valid_text(directory));
         return RunStatus::completed;
       }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/base/file_error.h>
 #include <waker/base/log.h>
 #include <waker/output/files.h>
 #include <waker/output/folder_lock.h>
@@ -184,10 +185,9 @@ namespace Waker
     parameters.stop.reading = parameters.strength_reduction.failure_reading();
 
     const std::string &directory = parameters.output.directory;
-    const FolderMode   mode      = options.resume      ? FolderMode::resume
-                                   : options.overwrite ? FolderMode::overwrite
-                                                       : FolderMode::must_be_new;
-    refuse_campaign_folder(parameters.output.directory);
+    const FolderMode   mode      = folder_mode(options);
+    if (!options.validate_only)
+      refuse_campaign_folder(directory);
     check_output_folder(directory, mode);
     if (!options.validate_only)
       refuse_locked_folder(directory);
@@ -211,7 +211,7 @@ namespace Waker
     if (options.validate_only)
       {
         describe();
-        log.line("Valid. Nothing was written.");
+        log.line(valid_text(directory));
         return RunStatus::completed;
       }
     if (options.before_writing)

@@ -130,6 +130,56 @@ check 'a load far away' '^--set Point loads/p/From$' \
   '155... m from the nearest' -- run "$good" --set 'Point loads/Names=p' \
   --set 'Point loads/p/From=155000, 5' --set 'Point loads/p/Force=0, -1'
 
+# Decimal commas, where one number is wanted and where a list has too many;
+# what is no formula; what does not repeat.
+set_value 'comma: number' 'Grid/Cell size' 0,25 '"0,25"'
+set_value 'comma: list' 'Grid/Lower corner' '-6,5, 0' '3 numbers'
+set_value 'comma: table' 'Water/Rise' '0: 1,5, 3: 2' 'no pair'
+set_value 'comma: polygon' 'Soil profile/dyke/Polygon' '0,5, 0; 30, 0; 15, 5' \
+  'corner 1'
+set_value 'rise in two parts' 'Water/Rise' '1; 2' '";" has no meaning'
+set_value 'chance' 'Water/Rise' '0.1*rand()' 'would not repeat'
+long=$(printf '%40000s' 1 | tr ' ' 1)
+set_value 'long expression' 'Water/Rise' "$long" '40000 characters'
+check 'comma: stress' '^--set Soil profile/dyke/Initial stress$' 'a comma' -- \
+  run "$good" --set 'Soil profile/dyke/Initial stress=-1,5; -1; -1; 0' \
+  --set 'Gravity/Initial stress=false'
+check 'comma: displacement' 'Boundary conditions/base/Displacement$' 'a comma' \
+  -- run "$good" --set 'Boundary conditions/base/Displacement=0,1*t; free' \
+  --set 'Boundary conditions/base/Type=prescribed'
+check 'seed' '^--set Campaign/Seed$' '18446744073709551616' -- \
+  campaign "$good" --set Campaign/Seed=18446744073709551616
+
+# Numbers of the command line.
+for n in -1 18446744073709551615 99999999999999999999 1.5 1e3 '' x; do
+  for option in realisation scenario; do
+    check "--$option=$n" 'command line' "--$option is" -- \
+      run "$good" --$option="$n"
+  done
+done
+check '--realisation -1' 'command line' '--realisation is "-1"' -- \
+  run "$good" --realisation -1
+for part in -1/2 0/2 3/2 1 1/ / '' 1/99999999999 1.5/2 '1 / 2'; do
+  check "--chunk=$part" 'command line' '--chunk is' -- \
+    campaign "$good" --chunk="$part"
+done
+for range in -1:2 2:2 3:2 : '' 0:18446744073709551616 0-5; do
+  check "--realisations=$range" 'command line' '--realisations is' -- \
+    campaign "$good" --realisations="$range"
+done
+
+# Text that is no text, and too much of it.
+printf 'subsection Materials\n  set Names = D\374ne\n' > latin.prm
+check 'Latin-1' '^latin.prm:2$' 'D\?ne' -- run latin.prm
+check 'Latin-1 folder' '^--set Output/Directory$' 'no plain text' -- \
+  run "$good" --set "$(printf 'Output/Directory=D\374ne')"
+set_value 'folder with #' 'Output/Directory' 'run#1' 'parameters.prm'
+set_value 'folder ends in backslash' 'Output/Directory' 'run\' 'parameters.prm'
+yes 'subsection a' | head -n 20000 > deep.prm
+check 'deep' '^deep.prm:11$' 'deep' -- run deep.prm
+head -c 100000 /dev/zero > zeros.prm
+check 'zeros' '^zeros.prm:1$' 'cannot read' -- run zeros.prm
+
 # What only the grid can tell.
 polygon='Soil profile/dyke/Polygon'
 set_value 'no multiple of cells' 'Grid/Upper corner' '42.1, 6' 'multiple'
@@ -190,6 +240,7 @@ traction 'file for contour' 'Surface file' 'open.txt' 'contour'
 traction 'two pressures' 'Value' '1; 2' '2 numbers'
 traction 'vector' 'Value' '1' '1 numbers' --set 'Tractions/load/Kind=vector'
 traction 'no expression' 'Value' '1 +' 'cannot be read'
+traction 'comma' 'Value' '0,25' 'a comma'
 traction 'table' 'Level' '0: 1, 0: 2' 'does not come after' \
   --set 'Tractions/load/Kind=hydrostatic'
 traction 'level below the surface' 'Level' '-1' 'no part of the surface' \
@@ -255,6 +306,17 @@ inflow 'From' '0, 0.1' '0.1 m' --set 'Inflow/i/Velocity=1' \
 inflow 'Face' bottom 'held' --set 'Inflow/i/Velocity=1' \
   --set 'Inflow/i/Material=clay'
 
+# A table whose first row looks like titles to a careless reader.
+for table in '3;0.01\n4;0.001\n' '3,5;0,01\n4;0.001\n' \
+  '3,5,0,01\n4,0.001\n' 'x, y\n3;0.01\n'; do
+  printf "$table" > levels.csv
+  check "levels: $table" '^levels.csv:[12]$' 'not a level and a prob' -- \
+    campaign "$random" --set 'Risk/Level distribution=table' \
+    --set 'Risk/Level table=levels.csv'
+  check "measurements: $table" '^levels.csv:[12]$' '"' -- \
+    campaign "$random" --set 'Random fields/strength/Measurements=levels.csv'
+done
+
 # The output folder. Root may write anywhere, but not below a file.
 touch file
 set_value 'below a file' 'Output/Directory' file/output 'file'
@@ -272,6 +334,9 @@ sed 's/^  set Cell size .*/  set Cell size = 0.5/; s/= 40$/= 0.05/' "$good" |
     > "$work/out" 2> "$work/err" ||
   complain 'a good case' 'did not run'
 [ -f done/summary.json ] || complain 'a good case' 'left no summary'
+"$waker" run "$good" --validate $short > "$work/out" 2> "$work/err" ||
+  complain 'validate' 'minds the run in the output folder'
+grep -q "not empty" "$work/out" || complain 'validate' 'does not mention the folder'
 check 'run before' 'Output/Directory' 'done' -- run "$good" $short
 check 'checkpoint of another case' 'Output/Directory' 'another case' -- \
   run "$good" $short --resume

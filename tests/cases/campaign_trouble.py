@@ -126,7 +126,7 @@ def a_rank_fails(make, disk, check):
     process = campaign.start("--resume", ranks=2)
     try:
         error = process.communicate(timeout=60)[1]
-        check(process.returncode == 2 and "cannot be written" in error,
+        check(process.returncode == 4 and "cannot be written" in error,
               "a rank of two fails: all end", f"exit code {process.returncode}")
     except subprocess.TimeoutExpired:
         os.killpg(process.pid, signal.SIGKILL)
@@ -194,7 +194,7 @@ def full_disk(make, disk, reference, check):
         filler = None
         process = campaign.start("--resume", process={
             "preexec_fn": limit, "restore_signals": False})
-    check.refused("full disk", process, "cannot be written")
+    check.refused("full disk", process, "cannot be written", code=4)
     n = len(campaign.records())
     check(2 < n < N, "full disk: what was finished is kept", f"{n} of {N}")
     check(f"{n} of {N}" in campaign.call("status"), "full disk: status")
@@ -203,6 +203,47 @@ def full_disk(make, disk, reference, check):
     campaign.run("--resume")
     check.once_each("full disk, then resumed", campaign, N)
     check.same("full disk, then resumed", reference, campaign.merged())
+
+
+def run_on_full_disk(make, check):
+    """A single run, whose files may not grow: not the input's fault."""
+    campaign = make("run-full")
+    words = [campaign.waker, "run", campaign.file, "--realisation", "0"]
+    for name, value in campaign.settings.items():
+        words += ["--set", f"{name}={value}"]
+
+    def limit():
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (8000, 8000))
+
+    process = subprocess.Popen(
+        words, text=True, env=campaign.environment, stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE, preexec_fn=limit, restore_signals=False)
+    check.refused("full disk: a run", process, "cannot be written", code=4)
+    for command in (["parameters"], ["--help"],
+                    ["status", make("whole").folder]):
+        with open("/dev/full", "w", encoding="utf-8") as full:
+            process = subprocess.Popen(
+                [campaign.waker, *command], text=True, stdout=full,
+                env=campaign.environment, stderr=subprocess.PIPE)
+            check.refused(f"full disk: {command[0]}", process,
+                          "standard output", code=4)
+
+
+def measurements_gone(make, folder, check):
+    """Status and merge compute nothing: the measurements may be gone."""
+    file = os.path.join(folder, "measured.csv")
+    with open(file, "w", encoding="utf-8-sig") as measured:
+        measured.write("x, y, value\n10.1, 2.1, 11\n")
+    campaign = make("measured", set={
+        "Campaign/Realisations": 2,
+        "Random fields/strength/Measurements": file})
+    campaign.run()
+    os.remove(file)
+    check("2 of 2" in campaign.call("status"), "no measurements: status")
+    campaign.call("merge")
+    check.refused("no measurements: campaign", campaign.start("--resume"),
+                  "measured.csv")
 
 
 def unwritable(make, disk, folder, reference, check):
@@ -346,6 +387,8 @@ def main():
         reference = whole.merged()
         numerical_failures(make, check)
         full_disk(make, disk, reference, check)
+        run_on_full_disk(make, check)
+        measurements_gone(make, folder, check)
         unwritable(make, disk, folder, reference, check)
         damaged_journals(whole, folder, reference, check)
         other_campaign(whole, folder, check)

@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A material of the user's own: linear elastic, but it carries no more mean
-// tension than 1 kPa.
+// tension than 1 kPa. And mistakes in input, which a program can catch.
+#include <waker/base/expression.h>
 #include <waker/materials/linear_elastic.h>
+#include <waker/particles/material_points.h>
+#include <waker/program/parameter_reader.h>
+#include <waker/simulation/case.h>
 
 #include <cmath>
 #include <cstdio>
+#include <exception>
+#include <fstream>
+#include <functional>
 
 class TensionCap : public Waker::LinearElastic
 {
@@ -32,9 +39,63 @@ public:
 };
 
 
+/// Does it throw what every program can catch?
+bool
+throws(const std::function<void()> &mistake)
+{
+  try
+    {
+      mistake();
+    }
+  catch (const std::exception &error)
+    {
+      std::printf("caught: %s\n", error.what());
+      return true;
+    }
+  return false;
+}
+
+
+/// Without MPI: nobody has started it here.
+bool
+mistakes_can_be_caught()
+{
+  bool good = true;
+  for (const char *const text : {"1; 2", "0,25", "rand()", "sin(", "", "1e400"})
+    good = throws([&]() { Waker::Expression<2>(text, "A/B"); }) && good;
+  good = throws([]() { Waker::read_parameters("no.prm", {}); }) && good;
+
+  std::ofstream("consumer.prm")
+    << "subsection Grid\n set Lower corner = 0, 0\n"
+       " set Upper corner = 2, 2\n set Cell size = 1\nend\n"
+       "subsection Materials\n set Names = clay\n subsection clay\n end\nend\n"
+       "subsection Soil profile\n set Layers = clay\n subsection clay\n"
+       " set Material = clay\n set Polygon = 0,0; 2,0; 2,1; 0,1\n end\nend\n"
+       "subsection Boundary conditions\n set Names = base\n subsection base\n"
+       " set Region = bottom\n end\nend\n";
+  auto                 parameters = Waker::read_parameters("consumer.prm", {});
+  const Waker::Case<2> the_case(*parameters, MPI_COMM_SELF);
+  const Waker::MaterialPoints<2> &points = the_case.initial_points;
+  good = points.scalar("undrained shear strength").size() == 8 && good;
+  good = throws([&]() { points.scalar("colour"); }) && good;
+
+  parameters->grid.upper_corner = {2.5, 2.};
+  good = throws([&]() { Waker::Case<2>(*parameters, MPI_COMM_SELF); }) && good;
+  parameters->layers[0].material = "peat";
+  parameters->grid.upper_corner  = {2., 2.};
+  return throws([&]() { Waker::Case<2>(*parameters, MPI_COMM_SELF); }) && good;
+}
+
+
 int
 main()
 {
+  if (!mistakes_can_be_caught())
+    {
+      std::printf("a mistake could not be caught\n");
+      return 1;
+    }
+
   const TensionCap                    soil(1.5, 1000., 0.25);
   const dealii::SymmetricTensor<2, 3> stretch =
     0.01 * dealii::unit_symmetric_tensor<3>();

@@ -22,4 +22,5 @@ test -x "$scratch/prefix/bin/waker"
 cmake -S "$here" -B "$scratch/build" -G Ninja \
   -DCMAKE_PREFIX_PATH="$scratch/prefix"
 cmake --build "$scratch/build"
-"$scratch/build/consumer"
+cd "$scratch" # for the files that it writes
+build/consumer

@@ -185,6 +185,10 @@ TEST(Boundary, user_surface_is_read_in_two_dimensions)
 TEST(Boundary, user_surface_is_refused_in_two_dimensions)
 {
   EXPECT_EQ(complaint<2>(square), "");
+  EXPECT_EQ(complaint<2>("\xEF\xBB\xBF" + std::string(square)), "");
+  EXPECT_TRUE(refuses<2>("1,5 1\n4 1\n4 4\n1,5 1\n", "line 1"));
+  EXPECT_TRUE(refuses<2>("1;1\n4;1\n4;4\n1;1\n", "line 1"));
+  EXPECT_TRUE(refuses<2>("x y\n1 1\n4 1\n4 4\n1 1\n", "line 1"));
   EXPECT_TRUE(refuses<2>("1 1\n4 1\n4 4\n1 4\n", "open"));
   EXPECT_TRUE(refuses<2>("1 1\n4 1\n1 1\n", "2 different vertices"));
   EXPECT_TRUE(refuses<2>("", "holds nothing"));

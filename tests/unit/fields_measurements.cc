@@ -92,6 +92,11 @@ TEST(Fields, errors_in_measurements_name_the_line)
   expect("0, 2.1, 5\nx, y, value\n", ":2");
   expect("x, y, value\nx, y, value\n", ":2");
   expect("0, 2.1,\n", ":1");
+  // A first row is no row of titles, however its numbers are written.
+  expect("\"0\"; \"2.1\"; \"5\"\n0, 2.1, 5\n", ":1");
+  expect("0,5; 2,1; 5\n0, 2.1, 5\n", "decimals with a point");
+  expect("\xef\xbb\xbf'0', 2.1, 5\n0, 2.1, 5\n", ":1");
+  expect("x, y, 5\n0, 2.1, 5\n", ":1");
   expect("0, 1.9, 5\n", ":1: y = 1.9 m is outside");
   expect("4.1, 2.1, 5\n", "allowed: -1 to 4 m");
   expect("# nothing\n", "no measurements");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/base/file_error.h>
 #include <waker/output/files.h>
 #include <waker/output/output_folder.h>
 #include <waker/output/pvd.h>
@@ -283,7 +284,7 @@ namespace Waker
         {
           write_file(folder.file("a"), std::string(5000, 'x'));
         }
-      catch (const UserError &error)
+      catch (const FileError &error)
         {
           return contains(error.problem, "File too large") ? 0 : 1;
         }

@@ -315,13 +315,29 @@ TEST(Fragility, gumbel_and_table)
     {{"3,0.1\n4,0.1\n", "t.csv:2", "does not continue"}},
     {{"3,0.1\n4,0\n", "t.csv:2", "out of range"}},
     {{"3,1.1\n4,0.1\n", "t.csv:1", "out of range"}},
-    {{"3,0.1\n4 0.1\n", "t.csv:2", "'4 0.1' is not a level"}},
-    {{"3,0.1\n4,0.01,7\n", "t.csv:2", "'4,0.01,7' is not a level"}},
-    {{"h,p\n3,0.1\nx,y\n", "t.csv:3", "'x,y' is not a level"}}};
+    {{"3,0.1\n4 0.1\n", "t.csv:2", "\"4 0.1\" is not a level"}},
+    {{"3,0.1\n4,0.01,7\n", "t.csv:2", "\"4,0.01,7\" is not a level"}},
+    {{"h,p\n3,0.1\nx,y\n", "t.csv:3", "\"x,y\" is not a level"}},
+    {{"3;0.1\n4,0.01\n5,0.001\n", "t.csv:1", "is not a level"}},
+    {{"3,5;0,1\n4,0.01\n5,0.001\n", "t.csv:1", "is not a level"}},
+    {{"3,5,0,1\n4,0.01\n5,0.001\n", "t.csv:1", "is not a level"}},
+    {{"\"3\";\"0.1\"\n4,0.01\n5,0.001\n", "t.csv:1", "is not a level"}},
+    {{"level,0.1\n4,0.01\n5,0.001\n", "t.csv:1", "is not a level"}}};
   for (const auto &line : wrong)
     EXPECT_USER_ERROR(LevelDistribution::parse_table(line[0], "t.csv"),
                       line[1],
                       line[2]);
+  // The first row counts, whatever an editor puts before it.
+  const LevelDistribution marked =
+    LevelDistribution::parse_table("\xEF\xBB\xBF"
+                                   "3,0.1\n4,0.01\n5,0.0001\n",
+                                   "t.csv");
+  EXPECT_NEAR(marked.exceedance(3.), 0.1, 1e-12);
+  EXPECT_NEAR(LevelDistribution::parse_table("\xEF\xBB\xBFh;p\n3,0.1\n4,0.01\n",
+                                             "t.csv")
+                .exceedance(3.),
+              0.1,
+              1e-12);
 }
 
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/base/file_error.h>
 #include <waker/base/hash.h>
 #include <waker/reliability/journal.h>
 
@@ -42,18 +43,18 @@ namespace Waker
     }
 
 
-    UserError
+    FileError
     error_of_writing_to(const std::string &folder)
     {
       try
         {
           const JournalWriter writer(folder, hash);
         }
-      catch (const UserError &error)
+      catch (const FileError &error)
         {
           return error;
         }
-      return {"", "", ""};
+      return {"", ""};
     }
 
 
@@ -476,9 +477,9 @@ namespace Waker
             writer.append(synthetic_record(0, n_written));
           return 1;
         }
-      catch (const UserError &error)
+      catch (const FileError &error)
         {
-          if (error.where != writer.path() ||
+          if (error.path != writer.path() ||
               error.problem != "cannot be written: File too large")
             return 2;
         }
@@ -506,10 +507,9 @@ namespace Waker
   {
     const TemporaryFolder folder;
     put(folder.file("file"), "mine");
-    const UserError none = error_of_writing_to(folder.file("none"));
-    EXPECT_EQ(none.where, folder.file("none/journal-00000.jsonl"));
+    const FileError none = error_of_writing_to(folder.file("none"));
+    EXPECT_EQ(none.path, folder.file("none/journal-00000.jsonl"));
     EXPECT_EQ(none.problem, "cannot be written: No such file or directory");
-    EXPECT_FALSE(none.allowed.empty());
     EXPECT_EQ(error_of_writing_to(folder.file("file")).problem,
               "cannot be written: Not a directory");
 

@@ -15,6 +15,23 @@ namespace Waker
   /// among them; none of an empty text.
   std::vector<std::string>
   split(const std::string &text, const char separator);
+
+  /// For a line of a message: blanks tidied, what cannot be printed replaced by
+  /// "?", at most about `longest` bytes and three dots.
+  std::string
+  printable(const std::string &text, const std::size_t longest);
+
+  /// The same in quotation marks, for a value of the user's.
+  std::string
+  in_quotes(const std::string &text);
+
+  /// Is it UTF-8, without control characters but the tab?
+  bool
+  is_plain_text(const std::string &text);
+
+  /// Without the mark that some editors and spreadsheets put before a file.
+  std::string
+  without_byte_order_mark(const std::string &text);
 } // namespace Waker
 
 #endif

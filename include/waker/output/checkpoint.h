@@ -48,7 +48,7 @@ namespace Waker
                     const std::string &parameters = "");
 
     /// Write the state after `step` steps to the slot that is not the newest.
-    /// @throws UserError "Output/Directory" if it cannot be written
+    /// @throws as throw_cannot_write() if it cannot be written
     void
     write(const std::uint64_t step, const std::string &blob);
 

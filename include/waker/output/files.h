@@ -13,15 +13,16 @@ namespace Waker
    *
    * @param to_disk wait until the contents are on the disk (fsync), for files
    *        that must survive a power cut; slow (milliseconds)
-   * @throws UserError "Output/Directory" if the file cannot be written
+   * @throws as throw_cannot_write()
    */
   void
   write_file(const std::string &path,
              const std::string &contents,
              const bool         to_disk = false);
 
-  /// What all writers throw: UserError "Output/Directory" with the path and the
-  /// system's words for `error`, an errno.
+  /// What all writers throw, with the path and the system's words for `error`,
+  /// an errno: FileError of a full disk and the like, UserError
+  /// "Output/Directory" of a place where nothing can be written.
   [[noreturn]] void
   throw_cannot_write(const std::string &path, const int error);
 

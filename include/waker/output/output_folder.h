@@ -21,7 +21,8 @@ namespace Waker
   {
     must_be_new, // refuse
     overwrite,   // remove what a run has written there, and nothing else
-    resume       // go on
+    resume,      // go on
+    only_checked // nothing will be written: it may hold anything
   };
 
   /**
@@ -36,6 +37,11 @@ namespace Waker
    */
   void
   check_output_folder(const std::string &directory, const FolderMode mode);
+
+  /// What a check of the input says of its folder: "Valid. Nothing was
+  /// written.", and what a run would need if it is not empty.
+  std::string
+  valid_text(const std::string &directory);
 
   /**
    * With the folder's lock held (see folder_lock.h): make "solution/" in it,

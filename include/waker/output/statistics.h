@@ -28,7 +28,7 @@ namespace Waker
   {
   public:
     /// A new file. An empty path makes an object that writes nothing.
-    /// @throws UserError "Output/Directory" if it cannot be written
+    /// @throws as throw_cannot_write() if it cannot be written
     explicit Statistics(const std::string &path);
 
     /// Go on with the file of a resumed run: rows of steps >= first_step, and
@@ -56,7 +56,7 @@ namespace Waker
     end_row();
 
     /// Hand the rows over to the operating system.
-    /// @throws UserError "Output/Directory" if they cannot be written
+    /// @throws as throw_cannot_write() if they cannot be written
     void
     flush();
 

@@ -79,7 +79,7 @@ namespace Waker
     Summary();
 
     /// As temporary file and rename.
-    /// @throws UserError "Output/Directory" if it cannot be written
+    /// @throws as throw_cannot_write() if it cannot be written
     void
     write(const std::string &path) const;
 

@@ -3,6 +3,8 @@
 #define waker_program_declared_parameters_h
 
 #include <string>
+#include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 namespace dealii
@@ -28,6 +30,16 @@ namespace Waker
     std::vector<std::string> inflows;     // Inflow/Names
     std::vector<std::string> fields;      // Random fields/Names
   };
+
+  /// A section with a list of names and a subsection for each of them.
+  struct NamedSection
+  {
+    std::string              section; // "Soil profile"
+    std::string              list;    // "Layers"
+    std::vector<std::string> ParameterNames::*names;
+  };
+
+  extern const std::vector<NamedSection> named_sections;
 
   /// A parameter as `prm` knows it.
   struct DeclaredParameter
@@ -64,9 +76,40 @@ namespace Waker
   std::vector<DeclaredParameter>
   declared_parameters(const ParameterHandler &prm);
 
+  /// Finds parameters and sections by their paths, whatever their number.
+  class DeclaredIndex
+  {
+  public:
+    explicit DeclaredIndex(std::vector<DeclaredParameter> parameters);
+
+    /// In the order of their declaration.
+    const std::vector<DeclaredParameter> &
+    all() const
+    {
+      return parameters;
+    }
+
+    /// @return null if there is none
+    const DeclaredParameter *
+    find(const std::string &path) const;
+
+    bool
+    has_section(const std::string &path) const;
+
+  private:
+    std::vector<DeclaredParameter>               parameters;
+    std::unordered_map<std::string, std::size_t> places;
+    std::unordered_set<std::string>              sections;
+  };
+
   /// A deal.II pattern in words: "a number from 0 to 1", "one of a, b".
   std::string
   pattern_in_words(const std::string &pattern);
+
+  /// The same, with what may be wrong with a value that does not fit: a decimal
+  /// comma, a number beyond the range of the program's.
+  std::string
+  allowed_instead(const std::string &value, const std::string &pattern);
 
   /// Does the value fit the pattern?
   bool

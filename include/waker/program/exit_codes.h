@@ -10,11 +10,13 @@ namespace Waker
     internal_error    = 1,
     wrong_input       = 2,
     numerical_failure = 3,
+    file_error        = 4,
     signal_offset     = 128
   };
 
   /// Inside a catch block: say on standard error what has gone wrong, a user's
-  /// mistake in three lines. @return the exit code for it
+  /// mistake and a file that cannot be written in three lines. @return the exit
+  /// code for it
   int
   report_exception();
 } // namespace Waker

@@ -14,6 +14,14 @@ namespace Waker
   const std::vector<std::string> &
   sections_free_at_resume();
 
+  /// Do the contents of files that parameters name count in a hash? They need
+  /// not be there where nothing is computed.
+  enum class FileContents
+  {
+    count,
+    left_out
+  };
+
   /**
    * Hash of all that decides how the state of a realisation goes on from one
    * step to the next: how it is watched and when it stops may change when a run
@@ -23,12 +31,14 @@ namespace Waker
    * cannot be read: its contents count
    */
   std::string
-  hash_of_steps(const std::vector<DeclaredParameter> &parameters);
+  hash_of_steps(const std::vector<DeclaredParameter> &parameters,
+                const FileContents contents = FileContents::count);
 
   /// Hash of all that decides the records of a campaign: also stop rules, end
   /// time and seed.
   std::string
-  hash_of_records(const std::vector<DeclaredParameter> &parameters);
+  hash_of_records(const std::vector<DeclaredParameter> &parameters,
+                  const FileContents contents = FileContents::count);
 } // namespace Waker
 
 #endif

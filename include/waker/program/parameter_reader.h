@@ -3,6 +3,7 @@
 #define waker_program_parameter_reader_h
 
 #include <waker/base/errors.h>
+#include <waker/program/parameter_hash.h>
 
 #include <map>
 #include <memory>
@@ -47,13 +48,16 @@ namespace Waker
    * @param overrides "Section/Name=value", stronger than the file
    * @param locations if not null, gets the line numbers, for errors that are
    *        found later
+   * @param contents of the files that the input names: left out, they need not
+   *        be there, but then the hashes are those of nothing that can be run
    * @return one input per value of the sweep; one without a sweep
    * @throws UserError with file and line, or with "--set Section/Name"
    */
   std::vector<std::unique_ptr<Input>>
   read_scenarios(const std::string              &source,
                  const std::vector<std::string> &overrides,
-                 ParameterLocations             *locations = nullptr);
+                 ParameterLocations             *locations = nullptr,
+                 const FileContents contents = FileContents::count);
 
   /// What a file says about one simulation, without its sweep.
   std::unique_ptr<Parameters>

@@ -43,8 +43,8 @@ namespace Waker
    * the end of a line that goes on in the next one.
    *
    * @param source name of the file, for messages
-   * @throws UserError: a line that is none of the above, an unbalanced `end`,
-   * an entry or section that appears twice
+   * @throws UserError: a line that is none of the above or not in UTF-8, an
+   * unbalanced `end`, an entry or section that appears twice
    */
   PrmContents
   scan_prm(std::istream &input, const std::string &source);
@@ -52,19 +52,21 @@ namespace Waker
   /**
    * Take "Section/Name=value" of the command line apart.
    *
-   * @throws UserError without `=` or without a name, or given twice
+   * @throws UserError without `=` or without a name, given twice, or with a
+   * value that a .prm file cannot hold
    */
   std::vector<PrmEntry>
   scan_overrides(const std::vector<std::string> &overrides);
 
+  /// Does a value mean the same when it is read from a .prm file? Not with a
+  /// "#", which begins a comment, several blanks in a row, a backslash at the
+  /// end, control characters, or in another encoding than UTF-8.
+  bool
+  fits_prm(const std::string &value);
+
   /// "Section/Name", or only "Name" at the top level.
   std::string
   parameter_path(const std::string &section, const std::string &name);
-
-  /// In quotation marks on one line: unprintable characters replaced, long
-  /// texts cut.
-  std::string
-  in_quotes(const std::string &text);
 } // namespace Waker
 
 #endif

@@ -12,7 +12,8 @@ namespace Waker
    * is computed: it takes longer than all the rest of reading a case.
    *
    * @return the exit code: 0 done, 1 internal error, 2 wrong input, 3
-   * numerical failure, 128 + signal when interrupted
+   * numerical failure, 4 a file could not be written, 128 + signal when
+   * interrupted
    */
   int
   run_program(const int argc, char **argv);

@@ -16,19 +16,21 @@ namespace Waker
   nearest_name(const std::string              &name,
                const std::vector<std::string> &candidates);
 
+  /// "did you mean "Water"? ", or nothing.
+  std::string
+  did_you_mean(const std::string &name);
+
   /// @throws UserError if the section does not exist, with the nearest one
   void
-  check_section(const PrmSection                     &section,
-                const std::vector<DeclaredParameter> &declared);
+  check_section(const PrmSection &section, const DeclaredIndex &declared);
 
   /**
    * @return the declaration of an entry
    * @throws UserError if there is none, with the nearest name, or the section
-   * where that name is at home
+   * where that name is at home, or the path that is meant
    */
   const DeclaredParameter &
-  find_declared(const PrmEntry                       &entry,
-                const std::vector<DeclaredParameter> &declared);
+  find_declared(const PrmEntry &entry, const DeclaredIndex &declared);
 } // namespace Waker
 
 #endif

@@ -48,7 +48,8 @@ namespace Waker
    * unless `all`.
    *
    * @param input the first scenario of the campaign's parameters
-   * @throws UserError if there is nothing to merge or it cannot be written
+   * @throws UserError if there is nothing to merge, FileError if it cannot be
+   * written
    */
   void
   merge_campaign(const std::string &folder,

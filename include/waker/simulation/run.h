@@ -4,6 +4,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <waker/output/output_folder.h>
+
 #include <csignal>
 #include <functional>
 #include <string>
@@ -37,6 +39,10 @@ namespace Waker
     /// leaves nothing behind. May be empty.
     std::function<void()> before_writing;
   };
+
+  /// What a run with these options does with its folder.
+  FolderMode
+  folder_mode(const RunOptions &options);
 
   enum class RunStatus
   {

@@ -1,0 +1,182 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Follow all advice that the program prints.
+
+Each case is a command that must be refused (exit code 2). From the third line
+of the message comes what is to be done: a name that is meant, --set options,
+other options, values of other parameters. Each piece is followed, and the
+command must then be accepted, or at least not be refused for the same reason.
+
+usage: advice.py WAKER_BINARY SOURCE_DIR
+"""
+
+import glob
+import os
+import re
+import subprocess
+import sys
+import tempfile
+
+waker = os.path.abspath(sys.argv[1])
+source = os.path.abspath(sys.argv[2])
+dyke = os.path.join(source, "parameters/chapter5/dyke.prm")
+random_dyke = os.path.join(source, "parameters/chapter5/analysis1.prm")
+environment = dict(os.environ, OMPI_MCA_ess_singleton_isolated="1")
+failures = 0
+n_followed = 0
+
+
+def call(arguments):
+    done = subprocess.run([waker] + arguments, env=environment,
+                          stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE, text=True, timeout=120,
+                          check=False)
+    return done.returncode, done.stderr.strip().split("\n")
+
+
+def complain(arguments, what, lines):
+    global failures
+    failures += 1
+    print("FAIL", " ".join(arguments), "\n    ", what, "\n    ",
+          "\n     ".join(lines))
+
+
+def advice_in(allowed):
+    """Pieces of advice: ("meant", name), ("set", [options]),
+    ("option", word)."""
+    found = [("meant", name)
+             for name in re.findall(r'did you mean "(.+?)"\?', allowed)]
+    one = r'--set (?:"[^"]+"|\S+=\S*)'
+    for group in re.findall(rf"{one}(?: {one})*", allowed):
+        settings = re.findall(r'--set (?:"([^"]+)"|(\S+=\S*))', group)
+        found.append(("set", [(quoted or plain).rstrip(",;")
+                              for quoted, plain in settings]))
+    rest = re.sub(one, "", allowed)
+    for path, value in re.findall(
+            r"\b([A-Z][\w ]*?/[A-Z][\w ]*?) = (\w+)", rest):
+        found.append(("set", [f"{path}={value}"]))
+    for option in re.findall(r"--(?:overwrite|resume|help|validate)\b", rest):
+        found.append(("option", option))
+    return found
+
+
+def corrected(arguments, wrong, kind, what, fill):
+    """The arguments with a piece of advice followed."""
+    if kind == "meant":
+        return [argument.replace(wrong, what, 1) for argument in arguments]
+    if kind == "option":
+        return arguments + [what]
+    result = list(arguments)
+    for setting in what:
+        path = setting.split("=", 1)[0]
+        value = fill.get(path, setting.split("=", 1)[1])
+        # What was given for the same name is given up.
+        for i in range(len(result) - 1, 0, -1):
+            if result[i - 1] == "--set" and result[i].startswith(path + "="):
+                del result[i - 1:i + 1]
+        result += ["--set", f"{path}={value}"]
+    return result
+
+
+def follow(arguments, n, wrong="", fill=None, also=(), accepted=True):
+    """Follow the n pieces of advice that the refusal of a command holds."""
+    global n_followed
+    code, lines = call(arguments)
+    if code != 2 or len(lines) != 3:
+        complain(arguments, f"exit code {code}, {len(lines)} lines", lines)
+        return
+    pieces = advice_in(lines[2])
+    if len(pieces) != n:
+        complain(arguments, f"{len(pieces)} pieces of advice, not {n}: "
+                 f"{pieces}", lines)
+    for kind, what in pieces:
+        second = corrected(arguments, wrong, kind, what, fill or {}) + list(also)
+        code, after = call(second)
+        n_followed += 1
+        same = len(after) == 3 and after[1] == lines[1]
+        if (accepted and code != 0) or same:
+            complain(second, f"advice {kind} {what}: exit code {code}", after)
+
+
+def settings(*values):
+    return [word for value in values for word in ("--set", value)]
+
+
+def main():
+    os.chdir(tempfile.mkdtemp())
+    check = ["run", dyke, "--validate"]
+
+    # Names that are meant: of commands, options, parameters, sections.
+    follow(["rum", dyke, "--validate"], 2, wrong="rum", accepted=False)
+    follow(["parameter"], 2, wrong="parameter", accepted=False)
+    follow(check + ["--overwite"], 2, wrong="--overwite", accepted=False)
+    follow(check + settings("Water.Level=4"), 1, wrong="Water.Level")
+    follow(check + settings("Grid/Cel size=0.25"), 1, wrong="Cel size")
+    follow(check + settings("Gird/Cell size=0.25"), 1, wrong="Gird")
+    follow(check + settings("Cell size=0.25"), 1, wrong="Cell size")
+    follow(check + settings("Materials/cley/Unit weight=15"), 1, wrong="cley")
+
+    # Random fields: other commands, or none of them.
+    random_run = ["run", random_dyke, "--validate"]
+    follow(random_run, 1)
+    two = settings("Random fields/Names=strength, other",
+                   "Random fields/other/Property=residual strength",
+                   "Random fields/Correlations=strength, other: 0.5")
+    follow(random_run + two, 1)
+    for again in (["--realisation", "3"], []):
+        command = random_run + again
+        if not again:
+            command = ["campaign", random_dyke, "--validate"]
+        code, lines = call(command)
+        if code != 0:
+            complain(command, f"exit code {code}", lines)
+
+    # A swept parameter.
+    sweep = os.path.join(source, "parameters/chapter5/analysis3.prm")
+    with open(sweep, encoding="utf-8") as file:
+        swept = re.search(r"subsection Sweep.*?Parameter\s*=\s*(.*?)\n",
+                          file.read(), re.S).group(1).strip()
+    follow(["campaign", sweep, "--validate"] + settings(swept + "=4"), 2,
+           fill={"Sweep/Values": "4; 4.25"}, accepted=False)
+
+    # Values of other parameters.
+    stress = "Soil profile/dyke/Initial stress=-1; -1; -1; 0"
+    follow(check + settings(stress), 1)
+    follow(check + settings("Water/Level=5.5"), 1)
+    follow(check + settings("Boundary conditions/Names="), 1)
+    follow(check + settings("Time stepping/Load duration=1",
+                            "Time stepping/Scheme=quasi-static"), 1)
+    follow(check + settings("Tractions/Names=load", "Tractions/load/Method=volume",
+                            "Tractions/load/Value=1"), 1, accepted=False)
+    follow(check + settings("Time stepping/Move points=false",
+                            "Kinematics and mapping/Strain=logarithmic"), 1,
+           accepted=False)
+
+    # Folders that are not empty.
+    os.mkdir("full")
+    with open("full/letter", "w", encoding="utf-8"):
+        pass
+    follow(["run", dyke] + settings("Output/Directory=full",
+                                    "Time stepping/End time=0"), 2,
+           accepted=False)
+    with open("full/campaign.json", "w", encoding="utf-8"):
+        pass
+    follow(["run", dyke] + settings("Output/Directory=full",
+                                    "Time stepping/End time=0"), 1,
+           fill={"Output/Directory": "other"})
+
+    # Whoever adds advice adds a line above.
+    texts = ""
+    for path in glob.glob(os.path.join(source, "source/**/*.cc"),
+                          recursive=True):
+        with open(path, encoding="utf-8") as file:
+            texts += file.read()
+    n_set = len(re.findall(r'--set (?:\\"|[A-Z])', re.sub(r'"\s*"', "", texts)))
+    if n_set != 8:
+        complain([], f"the sources hold {n_set} times --set", [])
+    print(f"{n_followed} pieces of advice followed, {failures} failures")
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/parameter_handler.h>
+
+#include <waker/base/errors.h>
+#include <waker/program/declared_parameters.h>
+#include <waker/program/parameter_reader.h>
+#include <waker/reliability/input.h>
+#include <waker/reliability/random_properties.h>
+#include <waker/simulation/case.h>
+
+#include <fstream>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+// Every parameter that there is, with values that nobody should give: they are
+// accepted or refused, and nothing else happens.
+
+using namespace Waker;
+
+namespace
+{
+  /// A small case with something of everything. What is not given here has its
+  /// default.
+  const std::string small_case = R"(
+subsection Grid
+  set Lower corner = 0, 0
+  set Upper corner = 4, 2
+  set Cell size    = 1
+end
+subsection Materials
+  set Names = clay
+  subsection clay
+    set Initial strength  = 10
+    set Residual strength = 5
+    set Softening modulus = -5
+  end
+end
+subsection Soil profile
+  set Layers = dyke
+  subsection dyke
+    set Material = clay
+    set Polygon  = 0, 0; 4, 0; 4, 1; 0, 1
+  end
+end
+subsection Boundary conditions
+  set Names = base, side
+  subsection base
+    set Region = bottom
+  end
+  subsection side
+    set Region       = left
+    set Type         = prescribed
+    set Displacement = 0.001*t; free
+  end
+end
+subsection Tractions
+  set Names = wind
+  subsection wind
+    set Method = contour
+    set Value  = 0; -1
+    set Kind   = vector
+  end
+end
+subsection Point loads
+  set Names = man
+  subsection man
+    set From  = 2, 1
+    set Force = 0, -1
+  end
+end
+subsection Walls
+  set Names = wall
+  subsection wall
+    set Line = 4, 0; 4, 1
+  end
+end
+subsection Inflow
+  set Names = in
+  subsection in
+    set Face     = right
+    set Material = clay
+    set Velocity = 1
+  end
+end
+subsection Random fields
+  set Names = strength
+  subsection strength
+    set Coefficient of variation = 0.1
+  end
+end
+)";
+
+
+  /// What wrong hands and wrong habits type.
+  std::vector<std::string>
+  odd_values()
+  {
+    return {"",
+            "nan",
+            "inf",
+            "-inf",
+            "1e400",
+            "1e-320",
+            "-1e-320",
+            "0",
+            "-1",
+            "0,25",
+            "0;25",
+            "1; 2",
+            "1: 2: 3",
+            ";;;",
+            ",,,",
+            "0x10",
+            "1 2",
+            "18446744073709551616",
+            "text",
+            "rand()",
+            "\"",
+            "((",
+            std::string(40000, '1'),
+            std::string(40000, ',')};
+  }
+
+
+  enum class Answer
+  {
+    accepted,
+    refused
+  };
+
+
+  /// Read and set up a case as `waker run --validate` does.
+  /// Anything but a UserError or a NumericalFailure is let through.
+  Answer
+  validate(const std::string &file, const std::vector<std::string> &overrides)
+  {
+    try
+      {
+        const auto   scenarios = read_scenarios(file, overrides);
+        const Input &input     = *scenarios[0];
+        if (input.simulation.dimension == 2)
+          {
+            const Case<2>             the_case(input.simulation, MPI_COMM_SELF);
+            const RandomProperties<2> properties(the_case,
+                                                 input.reliability.fields);
+          }
+      }
+    catch (const UserError &error)
+      {
+        EXPECT_FALSE(error.where.empty());
+        EXPECT_FALSE(error.problem.empty());
+        EXPECT_FALSE(error.allowed.empty());
+        EXPECT_LT(error.problem.size(), 100000u);
+        return Answer::refused;
+      }
+    catch (const NumericalFailure &)
+      {
+        return Answer::refused;
+      }
+    return Answer::accepted;
+  }
+
+
+  class Fuzz : public testing::Test
+  {
+  protected:
+    const std::string file =
+      testing::TempDir() + "waker_fuzz_" + std::to_string(getpid()) + ".prm";
+
+    std::vector<DeclaredParameter> parameters;
+
+    void
+    SetUp() override
+    {
+      std::ofstream(file) << small_case;
+      Input            input;
+      ParameterHandler prm;
+      declare_parameters(prm,
+                         input,
+                         {{"clay"},
+                          {"dyke"},
+                          {"base", "side"},
+                          {"wind"},
+                          {"man"},
+                          {"wall"},
+                          {"in"},
+                          {"strength"}});
+      parameters = declared_parameters(prm);
+    }
+
+    void
+    TearDown() override
+    {
+      ::unlink(file.c_str());
+    }
+  };
+} // namespace
+
+
+TEST_F(Fuzz, the_case_itself_is_good)
+{
+  EXPECT_EQ(validate(file, {}), Answer::accepted);
+  EXPECT_GT(parameters.size(), 150u);
+}
+
+
+TEST_F(Fuzz, every_parameter_with_every_odd_value_is_accepted_or_refused)
+{
+  for (const DeclaredParameter &parameter : parameters)
+    for (const std::string &value : odd_values())
+      {
+        const std::string override_text = parameter.path() + "=" + value;
+        SCOPED_TRACE(override_text.substr(0, 200));
+        try
+          {
+            const Answer answer = validate(file, {override_text});
+            // These are no numbers, wherever numbers are wanted.
+            const bool wants_number = parameter.pattern.find("[Double") == 0 ||
+                                      parameter.pattern.find("[Integer") == 0;
+            const bool is_none =
+              value.empty() || value == "1e400" ||
+              value.find_first_not_of("-0123456789e") != std::string::npos;
+            if (wants_number && is_none)
+              {
+                EXPECT_EQ(answer, Answer::refused);
+              }
+          }
+        catch (const std::exception &error)
+          {
+            ADD_FAILURE() << "neither accepted nor refused: " << error.what();
+          }
+        catch (...)
+          {
+            ADD_FAILURE() << "no exception that a program can catch";
+          }
+      }
+}
