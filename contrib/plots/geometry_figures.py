@@ -176,7 +176,8 @@ def first_widths(scenarios):
     widths, flooded, without = [], [], 0
     for scenario in scenarios:
         width = scenario["width_after_first_slide"]
-        failed = scenario.counted & ~np.isnan(scenario["initial_failure_time"])
+        failed = scenario.counted & ~np.isnan(
+            scenario.event_time("initial_failure"))
         known = failed & ~np.isnan(width)
         widths.append(width[known])
         flooded.append(scenario["outcome"][known] == campaign.FLOODING)

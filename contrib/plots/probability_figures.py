@@ -208,8 +208,7 @@ def convergence(files, name, scenario):
     rows = []
     for event, short, _ in EVENTS:
         style = look.S1 if short == "S1" else look.FLOOD
-        happened = np.cumsum(~np.isnan(
-            scenario[event + "_time"][counted]))
+        happened = np.cumsum(~np.isnan(scenario.event_time(event)[counted]))
         results = np.array([proportion(int(happened[n - 1]), int(n))
                             for n in chosen])
         panel.fill_between(chosen, results[:, 1], results[:, 2],

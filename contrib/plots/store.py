@@ -78,23 +78,39 @@ class Scenario:
     def n_undecided(self):
         return int((self["outcome"] > NUMERICAL_FAILURE).sum())
 
+    def event_time(self, event):
+        """Time (s) of "initial_failure" in any reading, of one of them,
+        "initial_failure_geometry", "_thesis" or "_displacement", or of
+        "flooding"; NaN where it did not occur."""
+        names = {"initial_failure": ("initial_failure_time",
+                                     "initial_failure_time_displacement"),
+                 "initial_failure_geometry": ("initial_failure_time",),
+                 "initial_failure_thesis": ("initial_failure_time_thesis",),
+                 "initial_failure_displacement": (
+                     "initial_failure_time_displacement",),
+                 "flooding": ("flooding_time",)}[event]
+        times = np.full(len(self.realisation), np.nan)
+        for name in names:  # stores of version 0.1 have no displacement
+            if name in self.store.file:
+                times = np.fmin(times, self[name])
+        return times
+
     def times(self, event):
-        """Times (s) of "initial_failure", "initial_failure_thesis" or
-        "flooding", of those in which it occurred."""
-        name = {"initial_failure": "initial_failure_time",
-                "initial_failure_thesis": "initial_failure_time_thesis",
-                "flooding": "flooding_time"}[event]
-        times = self[name][self.counted]
+        """event_time() of those that count and in which it occurred."""
+        times = self.event_time(event)[self.counted]
         return times[~np.isnan(times)]
 
     def probabilities(self):
-        """{"S1": ..., "S1_thesis": ..., "F": ..., "F_given_S1": ...}, each
-        (estimate, low, high, count, of how many) with the 95 % interval."""
-        n_s1, n_thesis, n_f = (
+        """{"S1": ..., "S1_geometry": ..., "S1_thesis": ..., "F": ...,
+        "F_given_S1": ...}, each (estimate, low, high, count, of how many) with
+        the 95 % interval. S1 is an initial failure in any reading."""
+        n_s1, n_geometry, n_thesis, n_f = (
             len(self.times(event)) for event in
-            ("initial_failure", "initial_failure_thesis", "flooding"))
+            ("initial_failure", "initial_failure_geometry",
+             "initial_failure_thesis", "flooding"))
         return {name: proportion(count, n) + (count, n)
                 for name, count, n in (("S1", n_s1, self.n),
+                                       ("S1_geometry", n_geometry, self.n),
                                        ("S1_thesis", n_thesis, self.n),
                                        ("F", n_f, self.n),
                                        ("F_given_S1", n_f, n_s1))}

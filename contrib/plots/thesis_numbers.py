@@ -210,7 +210,7 @@ def initiation_by_side(stores):
         return None
     scenario = stores.levels[-1]
     outer = scenario["failure_class"] == campaign.OUTER
-    times = scenario["initial_failure_time"]
+    times = scenario.event_time("initial_failure")
     failed = scenario.counted & ~np.isnan(times)
     if not (failed & outer).any() or not (failed & ~outer).any():
         return None

@@ -57,7 +57,8 @@ def small(scale):
 
 
 def failed(scenario):
-    return scenario.counted & ~np.isnan(scenario["initial_failure_time"])
+    return scenario.counted & ~np.isnan(
+        scenario.event_time("initial_failure"))
 
 
 def largest_scale(stores):
