@@ -7,7 +7,7 @@
 namespace Waker
 {
   std::string
-  duration_text(const double seconds)
+  work_time_text(const double seconds)
   {
     char text[40];
     if (seconds < 100.)
@@ -83,7 +83,7 @@ namespace Waker
                   sizeof text,
                   "%llu realisations in %s on %d rank(s)",
                   static_cast<unsigned long long>(work.n),
-                  duration_text(work.wall).c_str(),
+                  work_time_text(work.wall).c_str(),
                   n_ranks);
     std::string result = text;
     // Nothing done, or in no time: there is no rate.

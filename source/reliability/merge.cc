@@ -130,7 +130,7 @@ namespace Waker
         log.line("  " + std::to_string(static_cast<int>(3600. / mean)) +
                  " realisations an hour and core" +
                  (rest > 0.
-                    ? "; at most " + duration_text(rest) + " of one core to go"
+                    ? "; at most " + work_time_text(rest) + " of one core to go"
                     : ""));
       }
     print_remarks(contents, log);

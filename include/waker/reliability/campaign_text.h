@@ -20,7 +20,7 @@ namespace Waker
 
   /// "12.3 s", "4.5 min", "2.1 h"
   std::string
-  duration_text(const double seconds);
+  work_time_text(const double seconds);
 
   /// What is about to be computed: hash, scenarios, number, seed, ranks.
   std::string
