@@ -164,7 +164,7 @@ TEST(Program, command_line)
   const std::vector<std::pair<Words, std::string>> mistakes = {
     {{"waker"}, "subcommand"},
     {{"waker", "run"}, "FILE is required"},
-    {{"waker", "walk", "a.prm"}, "subcommand"},
+    {{"waker", "walk", "a.prm"}, "walk"},
     {{"waker", "run", "a.prm", "b.prm"}, "b.prm"},
     {{"waker", "run", "a.prm", "--fast"}, "--fast"},
     {{"waker", "run", "a.prm", "--resume", "--overwrite"}, "excludes"},
