@@ -1,0 +1,50 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Factors of safety without softening meet slip circles, and every slide is seen
+(doc/verification/factor_of_safety.md).
+
+    /usr/bin/python3 tests/cases/factor_of_safety.py WAKER SOURCE_DIRECTORY
+"""
+
+import dyke_measures as measures
+from waker_case import Checks, workspace_of_arguments
+
+CASE = "verification/dyke_no_softening.prm"
+# Water level (m): slip circle for 13 kPa, slope.
+CIRCLES = {4: (1.736, "inner"), 3.5: (1.64, "outer"), 3: (1.445, "outer")}
+
+
+def main():
+    checks = Checks()
+    workspace, _ = workspace_of_arguments()
+    with workspace as work:
+        # The inner slope slides, and neither W nor the highest point sees it.
+        slide = work.run("slide", CASE,
+                         {"Output/Interval": 0, "Water/Level": 4,
+                          **measures.strength(6.5, 6.5)})
+        checks.equal("c = 6.5 kPa, water at 4 m: outcome", slide["outcome"],
+                     "initial failure")
+        checks.equal("slope", slide["slope"], "inner")
+        checks.equal("seen by width or height", slide["initial_failure_time"],
+                     None)
+        checks.between("share of the profile", slide["inner_slide"]["share"],
+                       0.3, 0.5)
+        checks.between("cut through the crest, which reaches from 5 to 15 m",
+                       slide["inner_slide"]["crest_cut"], 9, 13, "m")
+
+        for level, (circle, slope) in CIRCLES.items():
+            result = work.factor_of_safety(
+                f"level-{level}", CASE,
+                {"Water/Level": level, **measures.strength(13, 13),
+                 "Strength reduction/Lower factor": 0.94 * circle,
+                 "Strength reduction/Upper factor": 1.06 * circle,
+                 "Strength reduction/Tolerance": 0.01})
+            factor = result["factor_of_safety"]
+            checks.between(f"water at {level} m: factor over slip circle",
+                           factor and factor / circle, 0.96, 1.04)
+            checks.equal("slope", result["failure"]["slope"], slope)
+    checks.finish()
+
+
+if __name__ == "__main__":
+    main()
