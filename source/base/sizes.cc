@@ -199,7 +199,7 @@ namespace Waker
 
 
   std::string
-  duration_text(const double seconds)
+  rough_duration_text(const double seconds)
   {
     struct Unit
     {

@@ -140,7 +140,7 @@ namespace Waker
           the_case.gravity_report.residuals.back());
     const RunSizes sizes = run_sizes(the_case);
     log.line("  effort    up to " + count_text(sizes.steps) + " steps: about " +
-             duration_text(sizes.computing) + " of computing, " +
+             rough_duration_text(sizes.computing) + " of computing, " +
              bytes_text(sizes.memory) + " of memory, " +
              bytes_text(sizes.disk) + " of files");
     for (const std::string &text : strange_things(the_case))

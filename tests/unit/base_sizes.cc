@@ -99,10 +99,10 @@ namespace
     EXPECT_EQ(bytes_text(31.4e6), "31.4 MB");
     EXPECT_EQ(bytes_text(999.9e6), "1 GB");
     EXPECT_EQ(bytes_text(4.21e9), "4.2 GB");
-    EXPECT_EQ(duration_text(0.2), "1 s");
-    EXPECT_EQ(duration_text(45.3), "45 s");
-    EXPECT_EQ(duration_text(600.), "10 minutes");
-    EXPECT_EQ(duration_text(1.1e6), "13 days");
-    EXPECT_EQ(duration_text(1e12), "31689 years");
+    EXPECT_EQ(rough_duration_text(0.2), "1 s");
+    EXPECT_EQ(rough_duration_text(45.3), "45 s");
+    EXPECT_EQ(rough_duration_text(600.), "10 minutes");
+    EXPECT_EQ(rough_duration_text(1.1e6), "13 days");
+    EXPECT_EQ(rough_duration_text(1e12), "31689 years");
   }
 } // namespace

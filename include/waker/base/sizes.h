@@ -64,9 +64,9 @@ namespace Waker
   std::string
   bytes_text(const double bytes);
 
-  /// "40 s", "3 minutes", "5 hours", "12 days".
+  /// A time that is only estimated: "40 s", "3 minutes", "5 hours", "12 days".
   std::string
-  duration_text(const double seconds);
+  rough_duration_text(const double seconds);
 } // namespace Waker
 
 #endif
