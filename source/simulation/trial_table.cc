@@ -27,7 +27,7 @@ namespace Waker
     {
       char numbers[2][40];
       std::snprintf(numbers[0], sizeof numbers[0], "%.17g", factor);
-      std::snprintf(numbers[1], sizeof numbers[1], "%.10g", trial.time);
+      std::snprintf(numbers[1], sizeof numbers[1], "%.17g", trial.time);
       return std::string(numbers[0]) + "," + to_string(trial.result) + "," +
              numbers[1] + "," + trial.outcome + "," + trial.reading + "," +
              trial.slope + "," + std::to_string(trial.attempts);
