@@ -3,6 +3,8 @@
 #include <waker/observers/soil_at_sides.h>
 #include <waker/particles/material_points.h>
 
+#include <cmath>
+
 namespace Waker
 {
   template <int dim>
@@ -29,17 +31,32 @@ namespace Waker
               face = 2 * d;
             else if (x > last && x0 <= last)
               face = 2 * d + 1;
-            if (face >= 0)
+            if (face >= 0 && std::abs(x - x0) > 0.5 * h)
               {
                 ++result.n_points[face];
-                result.share[face] += points.volume[p];
+                result.volume[face] += points.volume[p];
               }
           }
       }
     if (volume > 0.)
-      for (double &share : result.share)
-        share /= volume;
+      for (unsigned int f = 0; f < 2 * dim; ++f)
+        result.share[f] = result.volume[f] / volume;
     return result;
+  }
+
+
+  template <int dim>
+  bool
+  soil_lies_against_side(const BackgroundGrid<dim> &grid,
+                         const MaterialPoints<dim> &points,
+                         const std::vector<bool>   &open_faces)
+  {
+    AssertDimension(open_faces.size(), 2 * dim);
+    // A little less than half a cell: volumes change under pressure.
+    const double           limit = 0.45 * std::pow(grid.cell_size(), dim);
+    const SoilAtSides<dim> soil  = soil_at_sides(grid, points);
+    return (!open_faces[0] && soil.volume[0] > limit) ||
+           (!open_faces[1] && soil.volume[1] > limit);
   }
 
 
@@ -47,4 +64,12 @@ namespace Waker
   soil_at_sides(const BackgroundGrid<2> &, const MaterialPoints<2> &);
   template SoilAtSides<3>
   soil_at_sides(const BackgroundGrid<3> &, const MaterialPoints<3> &);
+  template bool
+  soil_lies_against_side(const BackgroundGrid<2> &,
+                         const MaterialPoints<2> &,
+                         const std::vector<bool> &);
+  template bool
+  soil_lies_against_side(const BackgroundGrid<3> &,
+                         const MaterialPoints<3> &,
+                         const std::vector<bool> &);
 } // namespace Waker

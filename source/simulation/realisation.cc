@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
 #include <waker/mechanics/deformation.h>
-#include <waker/observers/box_sides.h>
 #include <waker/observers/dyke_geometry.h>
+#include <waker/observers/soil_at_sides.h>
 #include <waker/simulation/realisation.h>
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <waker/observers/box_sides.h>
+#include <waker/grid/background_grid.h>
+#include <waker/observers/soil_at_sides.h>
+#include <waker/particles/material_points.h>
 
 #include <gtest/gtest.h>
 
@@ -55,7 +57,7 @@ TEST(Observers, soil_that_reaches_a_side_of_the_box)
       EXPECT_FALSE(row.lies());
       row.points.position[1][0] = last;
       EXPECT_TRUE(row.lies());
-      EXPECT_DOUBLE_EQ(soil_come_to_sides(row.grid, row.points)[side > 0.],
+      EXPECT_DOUBLE_EQ(soil_at_sides(row.grid, row.points).volume[side > 0.],
                        0.5 * h * h);
       // What passes an open side lies against nothing.
       EXPECT_EQ(row.lies({true, false, false, false}), side > 0.);
