@@ -67,8 +67,8 @@ def main():
                          rest["plastic_strain"].max(),
                          np.abs(rest["displacement"]).max()))
     header = ("joint_m,error_own_stiffness_kPa,error_one_stiffness_kPa,"
-              "deviatoric_own_kPa,deviatoric_one_kPa,plastic_strain_after_1_s,"
-              "displacement_after_1_s_m")
+              "deviatoric_own_kPa,deviatoric_one_kPa,plastic_strain_at_rest,"
+              "displacement_at_rest_m")
     np.savetxt(os.path.join(DATA, "mixed_cells.csv"), rows, "%.5g", ",",
                comments="", header=header)
     print(header)

@@ -143,6 +143,17 @@ namespace Waker
                           " the box reaches from " + number(lower_corner[d]) +
                           " to " + number(upper_corner[d]) + " m: no cell",
                         "above the lower corner in each direction");
+
+    // Before anything else is measured by the box. The grid itself sees to its
+    // memory.
+    double unknowns = dim;
+    for (unsigned int d = 0; d < dim; ++d)
+      unknowns *= (upper_corner[d] - lower_corner[d]) / cell_size + 3.;
+    checked_count("Grid/Cell size",
+                  unknowns,
+                  "unknowns on the grid",
+                  2147483647.,
+                  "larger cells, or a smaller box");
   }
 
 

@@ -44,9 +44,9 @@ TEST(Sizes, of_a_grid_are_refused)
                     unknowns = " unknowns on the grid";
   expect_refusal({"Grid/Upper corner=1070000000, 6"}, where, unknowns);
   expect_refusal({"Grid/Upper corner=3e9, 6"}, where, unknowns);
-  expect_refusal({"Grid/Upper corner=1e300, 6"}, where, "4e+300 cells");
+  expect_refusal({"Grid/Upper corner=1e300, 6"}, where, unknowns);
   expect_refusal({"Grid/Cell size=1e-4"}, where, "5.76e+10" + unknowns);
-  expect_refusal({"Grid/Cell size=1e-300"}, where, "4.8e+301 cells");
+  expect_refusal({"Grid/Cell size=1e-300"}, where, unknowns);
   expect_refusal({"Grid/Lower corner=1e12, 0",
                   "Grid/Upper corner=1000000000048, 6"},
                  where,
