@@ -163,7 +163,7 @@ namespace
       for (const std::string &part : parts)
         EXPECT_NE(text.find(part), std::string::npos) << part << " in " << text;
     };
-    expect({initial + "10 - 4*depth"},
+    expect({initial + "10 - 4*depth", residual + "0"},
            {"Materials/clay/Initial strength: \"10 - 4*depth\" is ",
             " at the point (",
             "above 0"});
