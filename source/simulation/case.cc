@@ -6,7 +6,6 @@
 #include <waker/mechanics/deformation.h>
 #include <waker/mechanics/time_scheme.h>
 #include <waker/observers/dyke_geometry.h>
-#include <waker/particles/polygon.h>
 #include <waker/simulation/case.h>
 #include <waker/simulation/initial_properties.h>
 #include <waker/simulation/sizes.h>
@@ -118,6 +117,11 @@ namespace Waker
   double
   Case<dim>::checked_measuring_level(Scene<dim> &scene) const
   {
+    const auto metres = [](const double y) {
+      std::ostringstream text;
+      text << y;
+      return text.str();
+    };
     const bool         has_water = parameters.water.side != "none";
     const DykeGeometry dyke =
       measure_dyke(scene.surfaces.chains(), parameters.water.level);
@@ -126,19 +130,19 @@ namespace Waker
         const double water = scene.water_level(0.);
         if (has_water && dyke.height < water)
           throw UserError("Water/Rise",
-                          "puts the water at " + to_text(water) +
+                          "puts the water at " + metres(water) +
                             " m at the start, but the soil rises to " +
-                            to_text(dyke.height) + " m: it is flooded",
+                            metres(dyke.height) + " m: it is flooded",
                           "less than the crest at t = 0");
         return dyke.level;
       }
     if (has_water)
       throw UserError("Water/Level",
-                      "is " + to_text(dyke.level) +
+                      "is " + metres(dyke.level) +
                         " m, where there is no soil at the start: " +
                         (dyke.height > dyke.level
                            ? "all of it is above"
-                           : "it rises to " + to_text(dyke.height) +
+                           : "it rises to " + metres(dyke.height) +
                                " m, and is flooded"),
                       "a level within the height of the soil (or Water/Side = "
                       "none)");

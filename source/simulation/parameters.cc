@@ -95,11 +95,12 @@ namespace Waker
                           number(base) + " m",
                         "at least " + number(base) +
                           " m (or Water/Side = none)");
-      if (water.level > crest)
+      // The detected surface may lie a little higher than the drawn one.
+      if (water.level >= crest)
         throw UserError("Water/Level",
                         "is " + number(water.level) +
-                          " m, above the crest at " + number(crest) + " m",
-                        "at most " + number(crest) +
+                          " m, not below the crest at " + number(crest) + " m",
+                        "less than " + number(crest) +
                           " m (or Water/Side = none)");
     }
   } // namespace

@@ -118,8 +118,8 @@ namespace
     EXPECT_TRUE(
       says({"Water/Level=-1"},
            "Water/Level: is -1 m, below all soil, which begins at 0"));
-    EXPECT_TRUE(
-      says({"Water/Level=5"}, "Water/Level: is 5 m, where there is no soil"));
+    EXPECT_TRUE(says({"Water/Level=5"},
+                     "Water/Level: is 5 m, not below the crest at 5 m"));
     EXPECT_TRUE(says({"Water/Rise=0.5"},
                      "Water/Rise: puts the water at 5.25 m at the start"));
     EXPECT_TRUE(says({"Water/Rise=0: 0.5, 2: 0"}, "Water/Rise"));
