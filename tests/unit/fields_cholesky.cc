@@ -106,8 +106,8 @@ TEST(Fields, no_covariance_is_factorised_that_is_none)
                     "the covariance of 3 cells is not positive semidefinite");
   C(0, 0) = std::nan("");
   EXPECT_USER_ERROR(covariance_factor(C, "Random fields/strength"),
-                    "Random fields/strength/Generator",
-                    "the covariance of 3 cells is not positive semidefinite");
+                    "Random fields/strength/Scales of fluctuation",
+                    "is not finite");
 
   // Singular, but a covariance: two numbers that are the same.
   C                       = Eigen::MatrixXd::Ones(2, 2);
