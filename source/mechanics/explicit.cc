@@ -188,7 +188,7 @@ namespace Waker
       stress_update.evaluate(points, weights, stretched, nodes.internal_force);
       const StressReport stress  = stress_update.accept(points);
       report.mean_plastic_strain = stress.plastic_strain;
-      report.displacement_rate   = std::sqrt(displacement / mass) / dt;
+      report.displacement_rate   = displacement_rate(displacement, mass, dt);
       report.dissipation         = stress.dissipation;
       report.elastic_energy      = stress.elastic_energy;
       report.kinetic_energy      = kinetic_energy(points);

@@ -138,7 +138,7 @@ namespace Waker
 
       report.mean_plastic_strain = stress.plastic_strain;
       report.displacement_rate =
-        std::sqrt(moved.squared_displacement / moved.mass) / dt;
+        displacement_rate(moved.squared_displacement, moved.mass, dt);
       report.dissipation    = stress.dissipation;
       report.elastic_energy = stress.elastic_energy;
       report.kinetic_energy = moved.kinetic_after;

@@ -170,7 +170,7 @@ namespace Waker
               points.velocity[p] = du / dt; // without energy: no inertia
             }
         }
-      report.displacement_rate = std::sqrt(square / mass) / dt;
+      report.displacement_rate = displacement_rate(square, mass, dt);
     }
 
 

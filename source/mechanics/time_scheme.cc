@@ -44,6 +44,13 @@ namespace Waker
 
 
   double
+  displacement_rate(const double square, const double mass, const double dt)
+  {
+    return mass > 0. ? std::sqrt(square / mass) / dt : 0.;
+  }
+
+
+  double
   residual_ramp(const double t, const double duration)
   {
     return duration > 0. ? std::min(1., t / duration) : 1.;

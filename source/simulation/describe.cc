@@ -152,7 +152,12 @@ namespace Waker
   geometry_text(const FailureRecord &f)
   {
     char text[160];
-    if (std::isnan(f.geometry.width))
+    if (!std::isfinite(f.geometry.height))
+      std::snprintf(text,
+                    sizeof text,
+                    "H %.2f m, and no soil is left",
+                    f.initial_height);
+    else if (std::isnan(f.geometry.width))
       std::snprintf(text,
                     sizeof text,
                     "H %.2f -> %.2f m",

@@ -70,9 +70,9 @@ namespace Waker
         {
           std::snprintf(text,
                         sizeof text,
-                        "t = %.3f s: flooding (H = %.2f m)",
+                        "t = %.3f s: flooding (%s)",
                         now.flooding_time,
-                        now.geometry.height);
+                        geometry_text(now).c_str());
           log.line(text);
         }
     }

@@ -142,6 +142,12 @@ namespace Waker
                       const NodalState          &nodes,
                       StepReport<dim>           &report);
 
+  /// Root mean square rate of displacement of the points (m/s); 0 if none is
+  /// left.
+  /// @param square sum of mass times squared displacement (Mg m^2)
+  double
+  displacement_rate(const double square, const double mass, const double dt);
+
   /// The residual ramp r(t): from 0 at t = 0 to 1 at `duration`; 1 without.
   double
   residual_ramp(const double t, const double duration);
