@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/mapping/stencil.h>
+#include <waker/mechanics/displacement_rate.h>
 #include <waker/mechanics/time_scheme.h>
 
 #include <algorithm>
