@@ -124,6 +124,17 @@ namespace
       }
     return rows;
   }
+
+
+  /// How many notes of a report.json have these words.
+  std::size_t
+  n_notes(const nlohmann::json &report, const std::string &words)
+  {
+    std::size_t n = 0;
+    for (const auto &note : report["notes"])
+      n += note.get<std::string>().find(words) != std::string::npos;
+    return n;
+  }
 } // namespace
 
 
@@ -393,7 +404,9 @@ TEST(Report, level_table_is_read_before_anything_is_written)
   write_report(c.info, c.records, parameters, folder.path);
   const auto json =
     nlohmann::json::parse(read_file(join_path(folder.path, "report.json")));
-  EXPECT_EQ(json["notes"].size(), 2U); // constant outside; table too short
+  EXPECT_EQ(n_notes(json, "are taken as constant"), 1U);
+  EXPECT_EQ(n_notes(json, "level table does not reach"), 1U);
+  EXPECT_EQ(n_notes(json, "No yearly probability"), 0U);
 }
 
 
@@ -424,9 +437,8 @@ TEST(Report, nothing_yearly_without_a_sweep_of_the_water_level)
       const std::string text = read_file(join_path(folder.path, "report.json"));
       const auto        json = nlohmann::json::parse(text);
       EXPECT_TRUE(json["yearly"].is_null());
-      ASSERT_EQ(json["notes"].size(), 1U);
-      EXPECT_NE(json["notes"][0].get<std::string>().find("Water/Level"),
-                std::string::npos);
+      EXPECT_EQ(n_notes(json, "this takes a sweep of Water/Level"), 1U);
+      EXPECT_EQ(n_notes(json, "are taken as constant"), 0U);
       EXPECT_EQ(text.find("verdict"), std::string::npos);
       EXPECT_EQ(text.find("risk_euro"), std::string::npos);
     }
