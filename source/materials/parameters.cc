@@ -89,6 +89,12 @@ namespace Waker
     };
 
     require_positive(path + "Unit weight", unit_weight, "kN/m^3");
+    // Outside of this masses are no numbers that one can compute with.
+    if (!(unit_weight >= 1e-9 && unit_weight <= 1e12))
+      throw UserError(path + "Unit weight",
+                      "is " + Patterns::Tools::to_string(unit_weight) +
+                        " kN/m^3",
+                      "1e-9 to 1e12 kN/m^3; soils have 10 to 25");
     require_positive(path + "Young's modulus", youngs_modulus, "kPa");
     if (!(poissons_ratio > -1. && poissons_ratio < 0.5))
       throw UserError(path + "Poisson's ratio",

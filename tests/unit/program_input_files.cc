@@ -64,7 +64,8 @@ namespace Waker
           "(^|[^a-z])(file (of|with)|text file|csv|relative path)",
           std::regex::icase);
         if (std::regex_search(parameter.documentation, words) ||
-            parameter.name.find("file") != std::string::npos)
+            std::regex_search(parameter.name,
+                              std::regex("\\bfiles?\\b", std::regex::icase)))
           {
             EXPECT_TRUE(parameter.is_input_file()) << parameter.path();
           }
