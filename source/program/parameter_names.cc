@@ -134,11 +134,12 @@ namespace Waker
                            " would be the same in ParaView files",
                          "names that differ in more than blanks and "
                          "underscores");
-                if (mentioned.count(parameter_path(named.section, name)) == 0)
-                  refuse("there is no subsection " + in_quotes(name),
-                         "a subsection of " + in_quotes(named.section) +
-                           " for every name");
               }
+            for (const std::string &name : names)
+              if (mentioned.count(parameter_path(named.section, name)) == 0)
+                refuse("there is no subsection " + in_quotes(name),
+                       "a subsection of " + in_quotes(named.section) +
+                         " for every name");
             return names;
           }
       return {};

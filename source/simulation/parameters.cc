@@ -35,6 +35,29 @@ namespace Waker
     }
 
 
+    /// Far beyond these, products of densities are no numbers.
+    void
+    check_density(const MaterialParameters &material,
+                  const GravityParameters  &gravity)
+    {
+      constexpr double least = 1e-9, largest = 1e9; // Mg/m^3
+      const double     g       = gravity.density_acceleration();
+      const double     density = material.unit_weight / g;
+      if (density >= least && density <= largest)
+        return;
+      const bool odd_gravity = !(g >= 1e-3 && g <= 1e6);
+      throw UserError(odd_gravity
+                        ? "Gravity/Acceleration"
+                        : "Materials/" + material.name + "/Unit weight",
+                      "is " + number(odd_gravity ? g : material.unit_weight) +
+                        ": the material \"" + material.name +
+                        "\" would have a density of " + number(density) +
+                        " Mg/m^3",
+                      "unit weight divided by acceleration from 1e-9 to 1e9 "
+                      "Mg/m^3");
+    }
+
+
     void
     check_layer(const LayerParameters                 &layer,
                 const std::vector<MaterialParameters> &materials,
@@ -254,6 +277,8 @@ namespace Waker
     for (const FixityParameters &fixity : fixities)
       fixity.check(dimension);
     gravity.check();
+    for (const MaterialParameters &material : materials)
+      check_density(material, gravity);
     if (gravity.initial_stress && fixities.empty() && walls.empty())
       throw UserError("Boundary conditions/Names",
                       "no boundary condition carries the soil, so the static "
