@@ -127,7 +127,7 @@ check 'narrow bins' '^--set Histograms/Width bin$' 'bins' -- \
 check 'many realisations' '^--set Campaign/Realisations$' '2\.15e\+09' -- \
   campaign "$random" --set 'Campaign/Realisations=2147483647'
 check 'a load far away' '^--set Point loads/p/From$' \
-  '155... m from the nearest' -- run "$good" --set 'Point loads/Names=p' \
+  '15[0-9.]+ m from the nearest' -- run "$good" --set 'Point loads/Names=p' \
   --set 'Point loads/p/From=155000, 5' --set 'Point loads/p/Force=0, -1'
 
 # Decimal commas, where one number is wanted and where a list has too many;
@@ -153,18 +153,18 @@ check 'seed' '^--set Campaign/Seed$' '18446744073709551616' -- \
 # Numbers of the command line.
 for n in -1 18446744073709551615 99999999999999999999 1.5 1e3 '' x; do
   for option in realisation scenario; do
-    check "--$option=$n" 'command line' "--$option is" -- \
+    check "--$option=$n" 'command line' "--$option" -- \
       run "$good" --$option="$n"
   done
 done
 check '--realisation -1' 'command line' '--realisation is "-1"' -- \
   run "$good" --realisation -1
 for part in -1/2 0/2 3/2 1 1/ / '' 1/99999999999 1.5/2 '1 / 2'; do
-  check "--chunk=$part" 'command line' '--chunk is' -- \
+  check "--chunk=$part" 'command line' '--chunk' -- \
     campaign "$good" --chunk="$part"
 done
 for range in -1:2 2:2 3:2 : '' 0:18446744073709551616 0-5; do
-  check "--realisations=$range" 'command line' '--realisations is' -- \
+  check "--realisations=$range" 'command line' '--realisations' -- \
     campaign "$good" --realisations="$range"
 done
 
