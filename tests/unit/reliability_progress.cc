@@ -172,8 +172,8 @@ namespace
     EXPECT_FALSE(enough(parameters, counts)); // 0 of 29: 0.119
     counts.n = 30;
     EXPECT_TRUE(enough(parameters, counts));
-    counts.n_undecided = 1;
-    EXPECT_FALSE(enough(parameters, counts)); // 0 of 29 again
+    counts.n_undecided = 15;
+    EXPECT_FALSE(enough(parameters, counts)); // 0 of 15: 0.218
     counts.n_undecided        = 0;
     parameters.interval_width = 0.1;
     EXPECT_FALSE(enough(parameters, counts));

@@ -33,7 +33,10 @@ namespace
           "Soil profile/dyke/Polygon=0, " + base + "; 30, " + base + "; 15, " +
             crest + "; 5, " + crest,
           "Water/Level=" + text(4.75 + shift),
-          std::string("Time stepping/Time step=0.02")})
+          std::string("Time stepping/Time step=0.02"),
+          // Round-off decides which of two iterates is good enough.
+          std::string("Gravity/Tolerance=1e-12"),
+          std::string("Newton/Tolerance=1e-10")})
       more.push_back(setting);
     return coarse(more);
   }

@@ -13,12 +13,14 @@ namespace
   using namespace RandomDyke;
 
   std::vector<Record>
-  campaign(const std::vector<std::string> &more)
+  campaign(const std::vector<std::string> &more,
+           const std::string              &mean = "16",
+           const std::string              &rise = "0: 0, 3: 0, 4: 2")
   {
-    std::vector<std::string> settings = {field + "Mean=16",
+    std::vector<std::string> settings = {field + "Mean=" + mean,
                                          "Time stepping/Time step=0.05",
                                          "Water/Level=4.5",
-                                         "Water/Rise=0: 0, 3: 0, 4: 2"};
+                                         "Water/Rise=" + rise};
     settings.insert(settings.end(), more.begin(), more.end());
     const auto           input = coarse(settings);
     RealisationRunner<2> runner(input->simulation,
@@ -66,8 +68,8 @@ namespace
 
   TEST(RealisationRunner, a_slide_that_is_cut_short_is_not_final)
   {
-    const std::vector<Record> records = campaign(
-      {"Water/Rise=0", field + "Mean=8", "Stop rules/On initial failure=true"});
+    const std::vector<Record> records =
+      campaign({"Stop rules/On initial failure=true"}, "8", "0");
     for (const Record &record : records)
       {
         EXPECT_EQ(record.outcome, Outcome::initial_failure);
