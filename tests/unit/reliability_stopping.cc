@@ -87,6 +87,20 @@ namespace
   };
 
 
+  /// By name: another member of Counts must not shift these.
+  Counts
+  counts(const std::uint64_t n,
+         const std::uint64_t n_initial,
+         const std::uint64_t n_flooding)
+  {
+    Counts result;
+    result.n          = n;
+    result.n_initial  = n_initial;
+    result.n_flooding = n_flooding;
+    return result;
+  }
+
+
   /**
    * Exactly, by summing over all ways in which counts can come about: the
    * probability of each pair (n_S1, n_F) after each realisation, with what the
@@ -143,13 +157,14 @@ namespace
                                            parameters.target == "flooding";
                   const unsigned int which = by_flooding ? f : k;
                   const auto         found = rule.find(which);
-                  stops                    = found != rule.end()
-                                               ? found->second
-                                               : (rule[which] = enough(parameters, {n, 0, k, f}));
+                  stops =
+                    found != rule.end()
+                      ? found->second
+                      : (rule[which] = enough(parameters, counts(n, k, f)));
                 }
               if (stops || at_end)
                 {
-                  result.add(p, {n, 0, k, f}, p_initial, p_given);
+                  result.add(p, counts(n, k, f), p_initial, p_given);
                   result.stopped += stops && !at_end ? p : 0.;
                   p = 0.;
                 }
