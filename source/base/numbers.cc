@@ -26,6 +26,15 @@ namespace Waker
   }
 
 
+  std::string
+  in_digits(const double number)
+  {
+    char       text[32];
+    const auto end = std::to_chars(text, text + sizeof text, number).ptr;
+    return std::string(text, end);
+  }
+
+
   bool
   may_be_titles(const std::string &line)
   {

@@ -120,9 +120,7 @@ namespace Waker
   RandomFieldParameters::check(const unsigned int dim) const
   {
     const std::string path = "Random fields/" + name;
-    const auto        text = [](const double value) {
-      return Patterns::Tools::to_string(value);
-    };
+    const auto text = [](const double value) { return in_digits(value); };
     if (scales.size() != dim)
       throw UserError(path + "/Scales of fluctuation",
                       "has " + std::to_string(scales.size()) + " numbers",

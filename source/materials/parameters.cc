@@ -4,6 +4,7 @@
 #include <waker/base/checks.h>
 #include <waker/base/errors.h>
 #include <waker/base/expression_pattern.h>
+#include <waker/base/numbers.h>
 #include <waker/materials/factory.h>
 #include <waker/particles/place_expression.h>
 
@@ -83,17 +84,14 @@ namespace Waker
   void
   MaterialParameters::check() const
   {
-    const std::string path   = "Materials/" + name + "/";
-    const auto        number = [](const double value) {
-      return Patterns::Tools::to_string(value);
-    };
+    const std::string path = "Materials/" + name + "/";
+    const auto number = [](const double value) { return in_digits(value); };
 
     require_positive(path + "Unit weight", unit_weight, "kN/m^3");
     // Outside of this masses are no numbers that one can compute with.
     if (!(unit_weight >= 1e-9 && unit_weight <= 1e12))
       throw UserError(path + "Unit weight",
-                      "is " + Patterns::Tools::to_string(unit_weight) +
-                        " kN/m^3",
+                      "is " + in_digits(unit_weight) + " kN/m^3",
                       "1e-9 to 1e12 kN/m^3; soils have 10 to 25");
     require_positive(path + "Young's modulus", youngs_modulus, "kPa");
     if (!(poissons_ratio > -1. && poissons_ratio < 0.5))

@@ -3,6 +3,7 @@
 
 #include <waker/base/checks.h>
 #include <waker/base/errors.h>
+#include <waker/base/numbers.h>
 #include <waker/mechanics/parameters.h>
 
 namespace Waker
@@ -73,19 +74,19 @@ namespace Waker
     require_positive("Time stepping/Time step", time_step);
     if (!(end_time >= 0.))
       throw UserError("Time stepping/End time",
-                      "is " + Patterns::Tools::to_string(end_time) + " s",
+                      "is " + in_digits(end_time) + " s",
                       "0 or a positive time");
     if (!(ramp_duration >= 0.))
       throw UserError("Time stepping/Ramp duration",
-                      "is " + Patterns::Tools::to_string(ramp_duration) + " s",
+                      "is " + in_digits(ramp_duration) + " s",
                       "0 (no ramp) or a positive time");
     if (!(load_duration >= 0.))
       throw UserError("Time stepping/Load duration",
-                      "is " + Patterns::Tools::to_string(load_duration) + " s",
+                      "is " + in_digits(load_duration) + " s",
                       "0 (full from the start) or a positive time");
     if (!(courant_number > 0. && courant_number <= 1.))
       throw UserError("Time stepping/Courant number",
-                      "is " + Patterns::Tools::to_string(courant_number),
+                      "is " + in_digits(courant_number),
                       "above 0 and at most 1");
   }
 
@@ -134,9 +135,7 @@ namespace Waker
     const auto check_tolerance = [](const std::string &path,
                                     const double       value) {
       if (!(value > 0. && value < 1.))
-        throw UserError(path,
-                        "is " + Patterns::Tools::to_string(value),
-                        "above 0 and below 1");
+        throw UserError(path, "is " + in_digits(value), "above 0 and below 1");
     };
     check_tolerance("Newton/Tolerance", tolerance);
     check_tolerance("Newton/Linear tolerance", linear_tolerance);
@@ -175,12 +174,11 @@ namespace Waker
   {
     if (!(acceleration >= 0.))
       throw UserError("Gravity/Acceleration",
-                      "is " + Patterns::Tools::to_string(acceleration) +
-                        " m/s^2",
+                      "is " + in_digits(acceleration) + " m/s^2",
                       "0 or a positive number (it points down)");
     if (!(tolerance > 0. && tolerance < 1.))
       throw UserError("Gravity/Tolerance",
-                      "is " + Patterns::Tools::to_string(tolerance),
+                      "is " + in_digits(tolerance),
                       "above 0 and below 1");
   }
 
@@ -241,7 +239,7 @@ namespace Waker
       return;
     if (time.load_duration > 0. && gravity.initial_stress)
       throw UserError("Time stepping/Load duration",
-                      "is " + Patterns::Tools::to_string(time.load_duration) +
+                      "is " + in_digits(time.load_duration) +
                         " s, but the gravity step applies the full weight and "
                         "water at once",
                       "0, or Gravity/Initial stress = false");

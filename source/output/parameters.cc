@@ -2,6 +2,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <waker/base/errors.h>
+#include <waker/base/numbers.h>
 #include <waker/output/parameters.h>
 
 namespace Waker
@@ -49,12 +50,11 @@ namespace Waker
       throw UserError("Output/Directory", "is empty", "the name of a folder");
     if (!(interval >= 0.))
       throw UserError("Output/Interval",
-                      "is " + Patterns::Tools::to_string(interval) + " s",
+                      "is " + in_digits(interval) + " s",
                       "0 or a positive time");
     if (!(checkpoint_interval >= 0.))
       throw UserError("Output/Checkpoint interval",
-                      "is " + Patterns::Tools::to_string(checkpoint_interval) +
-                        " s",
+                      "is " + in_digits(checkpoint_interval) + " s",
                       "0 or a positive time");
   }
 } // namespace Waker

@@ -17,7 +17,7 @@ namespace Waker
     std::string
     number(const double value)
     {
-      return Patterns::Tools::to_string(value);
+      return in_digits(value);
     }
 
 

@@ -2,6 +2,7 @@
 #include <waker/base/numbers.h>
 #include <waker/base/text.h>
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 using namespace Waker;
@@ -35,6 +36,16 @@ TEST(Base, number_is_the_whole_text)
                                  "1 m"})
     EXPECT_FALSE(read_number(text, number)) << text;
   EXPECT_EQ(number, 7.);
+}
+
+
+TEST(Base, numbers_of_messages_are_those_that_were_given)
+{
+  EXPECT_EQ(in_digits(0.1), "0.1");
+  EXPECT_EQ(in_digits(-250.), "-250");
+  EXPECT_EQ(in_digits(1e-320), "1e-320");
+  EXPECT_EQ(in_digits(1e300 * 1e300), "inf");
+  EXPECT_NE(in_digits(std::nan("")).find("nan"), std::string::npos);
 }
 
 

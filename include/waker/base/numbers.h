@@ -18,6 +18,11 @@ namespace Waker
   bool
   read_number(const std::string &text, double &number);
 
+  /// The fewest digits that give the number again, for messages; "inf" and
+  /// "nan", too, of which deal.II's to_string() makes an exception.
+  std::string
+  in_digits(const double number);
+
   /**
    * May this line be the titles above a table? Only if nothing between commas,
    * semicolons, blanks and quotation marks begins like a number, in whatever
