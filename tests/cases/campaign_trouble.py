@@ -36,12 +36,12 @@ def contents(folder):
 
 
 class SmallDisk:
-    """A tmpfs of 1 MB; None as folder where that cannot be mounted."""
+    """A tmpfs of 2 MB; None as folder where that cannot be mounted."""
 
     def __init__(self, folder):
         os.mkdir(folder)
         self.folder = folder
-        words = ["mount", "-t", "tmpfs", "-o", "size=1m", "tmpfs", folder]
+        words = ["mount", "-t", "tmpfs", "-o", "size=2m", "tmpfs", folder]
         if os.geteuid() != 0 or subprocess.run(
                 words, capture_output=True, check=False).returncode != 0:
             self.folder = None
