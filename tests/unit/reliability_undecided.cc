@@ -79,8 +79,8 @@ namespace
     const ScenarioEstimate e = estimate(records);
     EXPECT_EQ(e.n, 3u);
     EXPECT_EQ(e.n_not_final, 3u);
-    EXPECT_EQ(e.by_geometry.initial.estimate, 1.);
-    EXPECT_EQ(e.by_geometry.flooding.estimate, 0.);
+    EXPECT_EQ(e.by_any.initial.estimate, 1.); // seen by displacement
+    EXPECT_EQ(e.by_any.flooding.estimate, 0.);
     EXPECT_EQ(e.if_all_failed.flooding.estimate, 1.);
   }
 } // namespace
