@@ -29,7 +29,7 @@ CASES = {  # name: command, file, settings
     "dyke": ("run", "chapter5/dyke_weak.prm",
              COARSE + ["Time stepping/End time=0.2"]),
     "factor": ("strength-reduction", "chapter5/dyke_weak.prm",
-               COARSE + ["Time stepping/End time=1",
+               COARSE + ["Time stepping/End time=6",
                          "Strength reduction/Lower factor=0.25",
                          "Strength reduction/Upper factor=4",
                          "Strength reduction/Tolerance=0.5"]),
@@ -249,13 +249,14 @@ def two_at_once(folders, check):
         if case == "dyke":
             wait_for(first, os.path.join(folder, "checkpoints",
                                          "checkpoint-0.bin"))
+        first.send_signal(signal.SIGSTOP)  # it must not end meanwhile
         for other in ("dyke", "factor"):
             for flag in ("--overwrite", "--resume"):
                 check.refused(f"{other} {flag}, while {case} runs",
                               folders.start(other, folder, flag,
                                             settings=long),
                               f"process {first.pid}")
-        check(first.poll() is None, "the first one goes on")
+        check(first.poll() is None, "the first one is left alone")
         first.send_signal(signal.SIGKILL)
         first.communicate()
         check(os.path.exists(os.path.join(folder, "lock")),
@@ -321,8 +322,8 @@ def full_disk(folders, disk, check):
     if disk.folder is None:
         print("not run without a small disk, which takes root: a full disk")
         return
-    settings = ["Time stepping/End time=1", "Output/Interval=0.02",
-                "Output/Checkpoint interval=0.1"]
+    settings = ["Time stepping/End time=1", "Output/Interval=0.1",
+                "Output/Checkpoint interval=0.04"]
     whole = folders.path("disk-whole")
     folders.run("dyke", whole, settings=settings)
     folder = os.path.join(disk.folder, "run")
@@ -360,15 +361,24 @@ def campaigns(folders, check):
                         folders.path("campaign"), n)
     first = campaign.start()
     campaign.wait_for_records(first, 1)
+    first.send_signal(signal.SIGSTOP)  # it must not end meanwhile
     check.refused("campaign --overwrite while it runs",
                   campaign.start("--overwrite"), f"process {first.pid}")
-    check(first.poll() is None, "the campaign goes on")
+    check(first.poll() is None, "the campaign is left alone")
     first.send_signal(signal.SIGKILL)
     first.communicate()
-    pair = [campaign.start("--resume"), campaign.start("--resume")]
-    for process in pair:
-        error = process.communicate()[1]
-        check(process.returncode == 0, "two resumptions at once", error)
+    # The first of two stands still in the middle of its work; the second one
+    # does all but what the first has claimed.
+    before = len(campaign.records())
+    first = campaign.start("--resume")
+    campaign.wait_for_records(first, before + 2)
+    first.send_signal(signal.SIGSTOP)
+    second = campaign.start("--resume")
+    error = second.communicate()[1]
+    check(second.returncode == 0, "second of two resumptions", error)
+    first.send_signal(signal.SIGCONT)
+    error = first.communicate()[1]
+    check(first.returncode == 0, "first of two resumptions", error)
     check.once_each("two resumptions at once", campaign, n)
     done = [sum(b'"realisation"' in line for line in open(path, "rb"))
             for path in campaign.journals()]
