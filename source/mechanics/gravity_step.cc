@@ -122,8 +122,10 @@ namespace Waker
                MaterialPoints<dim> &points,
                const Walls<dim>    *walls)
   {
-    const ElasticMixture elastic =
-      elastic_mixture(materials, weights.background_grid(), points);
+    const ElasticMixture elastic = elastic_mixture(materials,
+                                                   weights.background_grid(),
+                                                   weights.functions(),
+                                                   points);
     // For this step the points are of these materials.
     const std::vector<std::uint32_t> own_materials =
       std::exchange(points.material, elastic.of_point);

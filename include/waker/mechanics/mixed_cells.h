@@ -3,6 +3,7 @@
 #define waker_mechanics_mixed_cells_h
 
 #include <waker/grid/background_grid.h>
+#include <waker/mapping/weights.h>
 #include <waker/mechanics/stress_update.h>
 #include <waker/particles/material_points.h>
 
@@ -20,15 +21,18 @@ namespace Waker
   };
 
   /**
-   * Elastic materials of the points, one for each material and one for each
-   * mixed cell.
+   * Elastic materials of the points for the in-situ stress: those of the case,
+   * and more where stiffnesses mix.
    *
    * A cell has one strain. Where a joint runs through it, points of stiffnesses
    * 1000 and 300 kPa get stresses in that ratio, and only their mean is in
    * balance; the stress across a joint is in truth the same on both sides. For
    * the in-situ stress, of which stiffness is no part, a mixed cell is
    * therefore given one: its points' harmonic means of K and G, by volume, as
-   * of layers that are loaded one through the other.
+   * of layers that are loaded one through the other. A point whose support
+   * domain reaches over cells has the mean of their strains, and for the same
+   * stress needs the harmonic mean of their moduli, by the shares of its
+   * domain.
    */
   struct ElasticMixture
   {
@@ -37,10 +41,12 @@ namespace Waker
     MixedCells                 cells;
   };
 
+  /// @param functions of the points: linear ones have no support domains
   template <int dim>
   ElasticMixture
   elastic_mixture(const Materials           &materials,
                   const BackgroundGrid<dim> &grid,
+                  const ShapeFunctions       functions,
                   const MaterialPoints<dim> &points);
 } // namespace Waker
 
