@@ -207,6 +207,30 @@ namespace Waker
     }
 
 
+    /// A layer that is thinner than round-off leaves no points, or others than
+    /// it should: it would vanish in silence beside a large one.
+    template <int dim>
+    void
+    check_layer_volume(const Layer<dim>             &layer,
+                       const std::vector<Seed<dim>> &seeds,
+                       const std::size_t             first,
+                       const std::string            &placement)
+    {
+      double volume = 0.;
+      for (std::size_t i = first; i < seeds.size(); ++i)
+        volume += seeds[i].volume;
+      const double difference = std::abs(volume - layer.volume());
+      // Whether rows fit is seen from all of them, see check_volume().
+      const double most = placement == "rows" ? 1. : 1e-6;
+      if (seeds.size() == first || !(difference <= most * layer.volume()))
+        throw UserError(layer.path + "/Polygon",
+                        "is too thin: the layer has " +
+                          to_text(layer.volume()) +
+                          " m^dim, the points made of it " + to_text(volume),
+                        "a layer that can be seen in the grid");
+    }
+
+
     template <int dim>
     std::vector<Seed<dim>>
     make_seeds(const BackgroundGrid<dim>     &grid,
@@ -221,10 +245,12 @@ namespace Waker
           for (auto &corner : corners)
             for (unsigned int d = 0; d < 2; ++d)
               corner[d] = to_lattice(grid, d, n, corner[d]);
+          const std::size_t first = seeds.size();
           if (parameters.placement == "rows")
             add_rows(grid, layers[l], corners, n, l, seeds);
           else
             add_sub_cells(grid, layers[l], corners, parameters, l, seeds);
+          check_layer_volume(layers[l], seeds, first, parameters.placement);
         }
       std::stable_sort(seeds.begin(),
                        seeds.end(),

@@ -187,6 +187,12 @@ set_value 'outside the grid' "$polygon" '0,0; 50,0; 15,5' 'outside'
 set_value 'self-crossing' "$polygon" '0,0; 30,0; 5,5; 15,5' 'Polygon'
 set_value 'two corners' "$polygon" '0,0; 30,0' 'Polygon'
 set_value 'no area' "$polygon" '0,0; 30,0; 15,0' 'Polygon'
+check 'a layer thinner than round-off' "^--set $polygon\$" 'too thin' -- \
+  run "$good" --set "$polygon=0,0; 1e-12,0; 1e-12,1e-12" --set Water/Side=none
+check 'a thin layer beside a thick one' '^--set Soil profile/film/Polygon$' \
+  'too thin' -- run "$good" --set 'Soil profile/Layers=dyke, film' \
+  --set 'Soil profile/film/Material=clay' \
+  --set 'Soil profile/film/Polygon=31,0; 31.000000000001,0; 31,1e-12'
 set_value 'points' 'Material points/Points per direction' 0 '"0"'
 set_value 'stress with gravity step' 'Soil profile/dyke/Initial stress' \
   '-1; -1; -1; 0' 'gravity step'
