@@ -10,6 +10,7 @@ import csv
 import json
 import math
 import os
+import re
 import sys
 import tempfile
 
@@ -33,7 +34,6 @@ def settings(base):
         "Grid/Upper corner": f"42, {base + 6:g}",
         "Soil profile/dyke/Polygon": "; ".join(
             f"{x:g}, {y + base:g}" for x, y in corners),
-        "Water/Level": f"{base + 4.75:g}",
         "Sweep/Parameter": "Water/Level",
         "Sweep/Values": f"{base + 4.75:g}; {base + 3.0:g}",
         "Risk/Level distribution": "Gumbel",
@@ -42,6 +42,16 @@ def settings(base):
         "Risk/Allowed probability": "0.3",
         "Risk/Consequence": "1e8",
     }
+
+
+def at_level(path, level, folder):
+    """A copy of a file with another level: it must be right before the sweep."""
+    with open(path, encoding="utf-8") as file:
+        text, n = re.subn(r"(?m)^( *set Level *=).*", rf"\1 {level:g}", file.read())
+    assert n == 1, f"{n} levels in {path}"
+    with open(folder + ".prm", "w", encoding="utf-8") as file:
+        file.write(text)
+    return folder + ".prm"
 
 
 def same(a, b, shift):
@@ -138,6 +148,7 @@ def main():
             folders.append(os.path.join(folder, name))
             campaign = Campaign(sys.argv[1], sys.argv[2], folders[-1], N,
                                 set=settings(base))
+            campaign.file = at_level(campaign.file, base + 4.75, folders[-1])
             campaign.run()
             text = campaign.call("status")
             check("Per year" in text and "macro-instability" in text,
