@@ -46,6 +46,11 @@ VARIABLES = {
                     "height_after_first_slide")},
     **{name: (PLANE, "f8", "m2" if name.endswith("area") else "m")
        for name in MOVED},
+    "initial_failure_time_displacement": (PLANE, "f8", "s"),
+    **{f"{slope}_slide_{what}": (PLANE, "f8", units)
+       for slope in ("inner", "outer")
+       for what, units in (("time", "s"), ("area", "m2"), ("share", "1"),
+                           ("crest_cut", "m"))},
     **{name: (PLANE, "f8", "kPa") for name in ("mean_strength", "least_strength")},
     **{name: (SPACE, "f8", "s") for name in ("slide_start", "slide_end")},
     **{name: (SPACE, "f8", "m") for name in ("slide_width", "slide_height")},
