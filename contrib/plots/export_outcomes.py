@@ -26,11 +26,14 @@ from store import Store
 
 LIMIT = 1_000_000  # bytes
 COLUMNS = ("scenario", "realisation", "outcome", "initial_failure_time",
-           "flooding_time", "residual_width", "residual_height", "class")
+           "inner_slide_time", "outer_slide_time", "flooding_time",
+           "residual_width", "residual_height", "class")
 NOTES = (
     "outcome: 0 stable, 1 initial failure, 2 flooding, 3 numerical failure, "
     "4 still moving, 5 loads still change, 6 stopped by the box",
     "class: 0 none, 1 initial only, 2 retrogressive, 3 horizontal, 4 outer",
+    "initial_failure_time: by width or height; inner_slide_time, "
+    "outer_slide_time: by displacement",
     "times in s, width and height in m",
 )
 
@@ -44,13 +47,12 @@ def short(x):
 
 
 def lines_of(scenario):
-    columns = [scenario[name] for name in
-               ("outcome", "initial_failure_time", "flooding_time",
-                "residual_width", "residual_height", "failure_class")]
-    for number, outcome, s1, flood, width, height, kind in zip(
-            scenario.realisation, *columns):
-        yield (f"{scenario.index},{number},{outcome},{short(s1)},"
-               f"{short(flood)},{short(width)},{short(height)},{kind}\n")
+    floats = [scenario[name] for name in COLUMNS[3:-1]]
+    for number, outcome, kind, *values in zip(
+            scenario.realisation, scenario["outcome"],
+            scenario["failure_class"], *floats):
+        yield (f"{scenario.index},{number},{outcome},"
+               f"{','.join(short(value) for value in values)},{kind}\n")
 
 
 def head(store, scenarios):

@@ -80,14 +80,17 @@ class Scenario:
 
     def event_time(self, event):
         """Time (s) of "initial_failure" in any reading, of one of them,
-        "initial_failure_geometry", "_thesis" or "_displacement", or of
-        "flooding"; NaN where it did not occur."""
+        "initial_failure_geometry", "_thesis" or "_displacement", of an
+        "inner_slide" or "outer_slide" by displacement, or of "flooding"; NaN
+        where it did not occur."""
         names = {"initial_failure": ("initial_failure_time",
                                      "initial_failure_time_displacement"),
                  "initial_failure_geometry": ("initial_failure_time",),
                  "initial_failure_thesis": ("initial_failure_time_thesis",),
                  "initial_failure_displacement": (
                      "initial_failure_time_displacement",),
+                 "inner_slide": ("inner_slide_time",),
+                 "outer_slide": ("outer_slide_time",),
                  "flooding": ("flooding_time",)}[event]
         times = np.full(len(self.realisation), np.nan)
         for name in names:  # stores of version 0.1 have no displacement
@@ -101,19 +104,22 @@ class Scenario:
         return times[~np.isnan(times)]
 
     def probabilities(self):
-        """{"S1": ..., "S1_geometry": ..., "S1_thesis": ..., "F": ...,
-        "F_given_S1": ...}, each (estimate, low, high, count, of how many) with
-        the 95 % interval. S1 is an initial failure in any reading."""
-        n_s1, n_geometry, n_thesis, n_f = (
-            len(self.times(event)) for event in
-            ("initial_failure", "initial_failure_geometry",
-             "initial_failure_thesis", "flooding"))
+        """{"S1": ..., ...}, each (estimate, low, high, count, of how many) with
+        the 95 % interval. S1 is an initial failure in any reading;
+        F_given_S1_thesis is that of the failures in the thesis's."""
+        events = {"S1": "initial_failure",
+                  "S1_geometry": "initial_failure_geometry",
+                  "S1_thesis": "initial_failure_thesis",
+                  "S1_displacement": "initial_failure_displacement",
+                  "inner_slide": "inner_slide", "outer_slide": "outer_slide",
+                  "F": "flooding"}
+        counts = {name: len(self.times(event))
+                  for name, event in events.items()}
+        rows = {name: (count, self.n) for name, count in counts.items()}
+        rows["F_given_S1"] = counts["F"], counts["S1"]
+        rows["F_given_S1_thesis"] = counts["F"], counts["S1_thesis"]
         return {name: proportion(count, n) + (count, n)
-                for name, count, n in (("S1", n_s1, self.n),
-                                       ("S1_geometry", n_geometry, self.n),
-                                       ("S1_thesis", n_thesis, self.n),
-                                       ("F", n_f, self.n),
-                                       ("F_given_S1", n_f, n_s1))}
+                for name, (count, n) in rows.items()}
 
     def residual(self):
         """True for the dykes with a residual geometry: failed, not flooded."""

@@ -231,16 +231,26 @@ def wider(stores):
                  int(kept.sum()))
 
 
-def outer_share(stores):
-    """Share of outer slopes among the initial failures by water level."""
-    if not stores.levels:
-        return None
-    parts = [(s.freeboard, share(
-        int(((s["failure_class"] == campaign.OUTER) & s.counted).sum()),
-        len(s.times("initial_failure")))) for s in stores.levels]
-    return ("<br>".join(f"{f:g} m: {p[0]}" for f, p in parts),
-            "<br>".join(p[1] for _, p in parts),
-            "<br>".join(p[2] for _, p in parts))
+def level_shares(count, of):
+    """A share at each water level: numbers of realisations of a scenario."""
+    def ours(stores):
+        if not stores.levels:
+            return None
+        parts = [(s.freeboard, share(int(count(s)), int(of(s))))
+                 for s in stores.levels]
+        return ("<br>".join(f"{f:g} m: {p[0]}" for f, p in parts),
+                "<br>".join(p[1] for _, p in parts),
+                "<br>".join(p[2] for _, p in parts))
+    return ours
+
+
+# Of the failures, by their class; and of the slides seen by displacement.
+outer_share = level_shares(
+    lambda s: ((s["failure_class"] == campaign.OUTER) & s.counted).sum(),
+    lambda s: len(s.times("initial_failure")))
+outer_slides = level_shares(
+    lambda s: len(s.times("outer_slide")),
+    lambda s: len(s.times("initial_failure_displacement")))
 
 
 def residual_heights(scale):

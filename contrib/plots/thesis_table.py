@@ -8,8 +8,8 @@ import numpy as np
 import store as campaign
 from thesis_numbers import (Entry, classes, initiation_by_side, largest_drop,
                             level_row, mean, mean_widths, modes, outer_share,
-                            probability, quantiles, residual_heights,
-                            scale_row, share_where, wide_floods, wider,
+                            outer_slides, probability, quantiles,
+                            residual_heights, scale_row, share_where, wide_floods, wider,
                             width_of_floods)
 
 SOFTENING = "[softening](../../verification/softening.md)"
@@ -58,7 +58,14 @@ def small(scale):
 
 def failed(scenario):
     return scenario.counted & ~np.isnan(
-        scenario.event_time("initial_failure"))
+        scenario.event_time("initial_failure_thesis"))
+
+
+def between(first, last):
+    def holds(scenario):
+        times = scenario.event_time("initial_failure_thesis")
+        return (times >= first) & (times <= last)
+    return holds
 
 
 def largest_scale(stores):
@@ -101,10 +108,16 @@ ROWS = [
               "about 0.12", probability("S1", points)),
         Entry("5.4.1, (5.1)", "P(S₁) in the thesis's reading, W < W_i",
               "about 0.12", probability("S1_thesis")),
+        Entry("5.4.1", "P(S₁) by width or height", "about 0.12",
+              probability("S1_geometry")),
+        Entry("5.4.1", "P(S₁) by displacement", "about 0.12",
+              probability("S1_displacement")),
         Entry("5.4.1, fig. 5.6", "P(F)", "about 0.09", probability("F")),
         Entry("5.4.1, fig. 5.6", "P(F), COV of the points",
               "about 0.09", probability("F", points)),
         Entry("5.4.1, 5.5", "P(F\\|S₁)", "0.75", probability("F_given_S1")),
+        Entry("5.4.1, 5.5", "P(F\\|S₁) in the thesis's reading of S₁", "0.75",
+              probability("F_given_S1_thesis")),
         Entry("5.4.1, 5.5", "P(F\\|S₁), COV of the points",
               "0.75", probability("F_given_S1", points)),
         Entry("ch. 5 abstract, 5.4.1, 5.5, 7.4",
@@ -139,12 +152,12 @@ ROWS = [
               point_statistics),
     ]),
     ("5.4.2: analysis set 2, horizontal scale of fluctuation", [
-        Entry("5.4.2, fig. 5.7a", "S₁ between 2 and 5 s (base case)",
-              "“2 to 5 s”",
-              share_where(lambda s: (s["initial_failure_time"] >= 2.0)
-                          & (s["initial_failure_time"] <= 5.0), failed)),
-        Entry("5.4.2, fig. 5.7a", "time of S₁ (base case)", "2 to 5 s",
-              quantiles("initial_failure")),
+        Entry("5.4.2, fig. 5.7a", "W < W_i between 2 and 5 s (base case)",
+              "“2 to 5 s”", share_where(between(2.0, 5.0), failed)),
+        Entry("5.4.2, fig. 5.7a", "time of W < W_i (base case)", "2 to 5 s",
+              quantiles("initial_failure_thesis")),
+        Entry("5.4.2, fig. 5.7a", "time of S₁ by displacement (base case)",
+              "2 to 5 s", quantiles("initial_failure_displacement")),
         Entry("5.4.2, fig. 5.7b", "time of flooding (base case)",
               "later, more widely spread", quantiles("flooding")),
         Entry("5.4.2, fig. 5.8a", "P(S₁) by θ_h",
@@ -187,11 +200,19 @@ ROWS = [
               "falls to 1.0 m, then rises; axis to 0.3", level_row("S1")),
         Entry("5.4.3, (5.1)", "the same in the thesis's reading, W < W_i",
               "the same", level_row("S1_thesis")),
+        Entry("5.4.3", "the same by displacement", "the same",
+              level_row("S1_displacement")),
         Entry("5.4.3, figs. 5.12b, 5.13a", "P(F) by H_i − h",
               "lower for lower water", level_row("F")),
         Entry("fig. 5.13b", "P(F\\|S₁) by H_i − h", "(curve; axis 0 to 1)",
               level_row("F_given_S1")),
-        Entry("5.4.3", "outer slope among the initial failures",
+        Entry("5.4.3", "slides of the inner slope, by displacement", "",
+              level_row("inner_slide")),
+        Entry("5.4.3", "slides of the outer slope, by displacement", "",
+              level_row("outer_slide")),
+        Entry("5.4.3", "outer slides among those by displacement",
+              "dominant from H_i − h = 1.5 m", outer_slides),
+        Entry("5.4.3", "outer slope among the failures, by their class",
               "dominant from H_i − h = 1.5 m", outer_share),
         Entry("5.4.3", "time of S₁ at the lowest water",
               "outer faster than inner", initiation_by_side),
