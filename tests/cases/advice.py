@@ -13,24 +13,21 @@ usage: advice.py WAKER_BINARY SOURCE_DIR
 import glob
 import os
 import re
-import subprocess
 import sys
 import tempfile
 
-waker = os.path.abspath(sys.argv[1])
+from program import Program
+
+waker = Program(sys.argv[1])
 source = os.path.abspath(sys.argv[2])
 dyke = os.path.join(source, "parameters/chapter5/dyke.prm")
 random_dyke = os.path.join(source, "parameters/chapter5/analysis1.prm")
-environment = dict(os.environ, OMPI_MCA_ess_singleton_isolated="1")
 failures = 0
 n_followed = 0
 
 
 def call(arguments):
-    done = subprocess.run([waker] + arguments, env=environment,
-                          stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                          stderr=subprocess.PIPE, text=True, timeout=120,
-                          check=False)
+    done = waker.run(arguments)
     return done.returncode, done.stderr.strip().split("\n")
 
 
@@ -115,7 +112,6 @@ def settings(*values):
 
 
 def main():
-    os.chdir(tempfile.mkdtemp())
     check = ["run", dyke, "--validate"]
 
     # Names that are meant: of commands, options, parameters, sections.
@@ -204,4 +200,8 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    with waker, tempfile.TemporaryDirectory(prefix="waker-") as place:
+        os.chdir(place)
+        code = main()
+        os.chdir("/")
+    sys.exit(code)

@@ -8,7 +8,6 @@ usage: odd_names.py WAKER_BINARY SOURCE_DIR
 
 import glob
 import os
-import subprocess
 import sys
 import tempfile
 import xml.etree.ElementTree as ElementTree
@@ -16,8 +15,8 @@ import xml.etree.ElementTree as ElementTree
 import meshio
 import numpy as np
 import runs
+from program import Program
 
-waker, source = (os.path.abspath(argument) for argument in sys.argv[1:3])
 MATERIAL = "D\u00fcne 1.5 <& 'clay'>"
 LAYER = "a.b: c"
 WIND = "wind & golf <v1.5>"
@@ -79,15 +78,6 @@ end
 """
 
 
-def run(file, folder, *options):
-    done = subprocess.run(
-        [waker, "run", file, *options, "--set", "Output/Directory=" + folder],
-        env=dict(os.environ, OMPI_MCA_ess_singleton_isolated="1"),
-        capture_output=True, text=True, check=False)
-    if done.returncode != 0:
-        sys.exit(f"{file} ended with {done.returncode}:\n{done.stderr}")
-
-
 def text(*parts):
     with open(os.path.join(*parts), encoding="utf-8") as file:
         return file.read()
@@ -95,7 +85,12 @@ def text(*parts):
 
 def main():
     check = runs.Check()
-    with tempfile.TemporaryDirectory(prefix="waker-") as place:
+    with tempfile.TemporaryDirectory(prefix="waker-") as place, \
+            Program(sys.argv[1]) as waker:
+        def run(file, folder, *options):
+            waker.run(["run", file, *options,
+                       "--set", "Output/Directory=" + folder], check=True)
+
         os.chdir(place)
         with open("case.prm", "w", encoding="utf-8") as file:
             file.write(CASE)
