@@ -18,7 +18,7 @@ namespace Waker
     public:
       explicit Explicit(const SchemeInput<dim> &in)
         : in(in)
-        , stress_update(in.materials, in.objective_rate, in.logarithmic)
+        , stress_update(in.materials, make_point_motion<dim>(in.mapping))
         , springs(make_springs(in.fixities,
                                stiffest_modulus(in.materials),
                                in.grid.cell_size()))
@@ -68,17 +68,11 @@ namespace Waker
                          const double               dt,
                          NodalState                &nodes)
     {
-      const Stencil<dim> stencil(in.grid);
-      nodes.internal_force   = 0.;
-      double *const internal = nodes.internal_force.begin();
-      for (std::size_t p = 0; p < points.n_points(); ++p)
-        {
-          Tensor<2, dim> P;
-          for (unsigned int i = 0; i < dim; ++i)
-            for (unsigned int j = 0; j < dim; ++j)
-              P[i][j] = points.volume[p] * points.stress[p][i][j];
-          stencil.scatter_gradient(weights[p], P, internal);
-        }
+      nodes.internal_force = 0.;
+      stress_update.point_motion().add_force_of_stress(points,
+                                                       weights,
+                                                       nodes.internal_force);
+      const double *const internal = nodes.internal_force.begin();
 
       const double        ramp = residual_ramp(t + dt, in.time.ramp_duration);
       const double *const external = nodes.external_force.begin();

@@ -5,8 +5,8 @@
 
 #include <waker/mapping/stencil.h>
 #include <waker/mechanics/consistent_tangent.h>
+#include <waker/mechanics/direct_solver.h>
 #include <waker/mechanics/gravity_step.h>
-#include <waker/mechanics/static_factorisation.h>
 #include <waker/mechanics/system_operator.h>
 #include <waker/mechanics/time_scheme.h>
 #include <waker/nodes/operator_sum.h>
@@ -113,14 +113,15 @@ namespace Waker
 
   template <int dim>
   GravityReport
-  gravity_step(const Materials     &materials,
-               const Weights<dim>  &weights,
-               const Fixities<dim> &fixities,
-               const double         full_node_mass,
-               const double         tolerance,
-               NodalState          &nodes,
-               MaterialPoints<dim> &points,
-               const Walls<dim>    *walls)
+  gravity_step(const Materials         &materials,
+               const Weights<dim>      &weights,
+               const Fixities<dim>     &fixities,
+               const double             full_node_mass,
+               const double             tolerance,
+               const MappingParameters &mapping,
+               NodalState              &nodes,
+               MaterialPoints<dim>     &points,
+               const Walls<dim>        *walls)
   {
     const ElasticMixture elastic = elastic_mixture(materials,
                                                    weights.background_grid(),
@@ -130,7 +131,7 @@ namespace Waker
     const std::vector<std::uint32_t> own_materials =
       std::exchange(points.material, elastic.of_point);
     StressUpdate<dim>      stress_update(elastic.materials,
-                                    /*objective_rate=*/false);
+                                    make_small_motion<dim>(mapping));
     ConsistentTangent<dim> tangent(weights);
     NodalVector            R, correction;
     R.reinit(nodes.external_force);
@@ -145,14 +146,23 @@ namespace Waker
                            nodes.increment,
                            nodes.internal_force);
     tangent.reinit(stress_update, points);
-    std::unique_ptr<StaticFactorisation> factorisation;
+    std::optional<OperatorSum<Walls<dim>>> walled;
+    if (walls != nullptr)
+      walled.emplace(tangent, *walls);
+    const SystemOperator system(walled ? static_cast<const Operator &>(*walled)
+                                       : tangent,
+                                1.,
+                                0.,
+                                nodes.mass,
+                                fixities.removed_list(),
+                                springs);
+    std::unique_ptr<DirectSolver<dim>> factorisation;
     if constexpr (dim == 2)
-      factorisation = std::make_unique<StaticFactorisation>(tangent,
-                                                            fixities.removed(),
-                                                            springs,
-                                                            nodes.mass,
-                                                            relative_shift,
-                                                            walls);
+      {
+        factorisation =
+          std::make_unique<DirectSolver<dim>>(weights.background_grid());
+        factorisation->factorise(system, relative_shift);
+      }
 
     GravityReport report;
     report.mixed_cells = elastic.cells;
@@ -217,6 +227,7 @@ namespace Waker
                const Fixities<2> &,
                const double,
                const double,
+               const MappingParameters &,
                NodalState &,
                MaterialPoints<2> &,
                const Walls<2> *);
@@ -226,6 +237,7 @@ namespace Waker
                const Fixities<3> &,
                const double,
                const double,
+               const MappingParameters &,
                NodalState &,
                MaterialPoints<3> &,
                const Walls<3> *);

@@ -15,7 +15,7 @@ namespace Waker
     public:
       explicit Newmark(const SchemeInput<dim> &in)
         : in(in)
-        , stress_update(in.materials, in.objective_rate, in.logarithmic)
+        , stress_update(in.materials, make_point_motion<dim>(in.mapping))
         , springs(make_springs(in.fixities,
                                stiffest_modulus(in.materials),
                                in.grid.cell_size()))

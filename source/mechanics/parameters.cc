@@ -205,6 +205,13 @@ namespace Waker
                       "internal force in the deformed configuration, for large "
                       "elastic strains.",
                       Patterns::Selection("step|logarithmic"));
+    prm.add_parameter("Volumetric strain",
+                      volumetric_strain,
+                      "standard: the dilatation at the point. B-bar: that of "
+                      "the cells' centres, averaged over the support domain, "
+                      "so that nearly incompressible soil does not lock (not "
+                      "with Strain = logarithmic).",
+                      Patterns::Selection("standard|B-bar"));
     prm.add_parameter("Domains",
                       domains,
                       "Support domains of GIMP: constant, or stretched with "
@@ -227,6 +234,11 @@ namespace Waker
                       "is stretched, but the deformation is only followed with "
                       "logarithmic strain",
                       "constant, or Strain = logarithmic");
+    if (volumetric_strain == "B-bar" && strain == "logarithmic")
+      throw UserError("Kinematics and mapping/Volumetric strain",
+                      "is B-bar, which is made for the strain of each step, "
+                      "not for logarithmic strain",
+                      "standard, or Strain = step");
   }
 
 

@@ -1,33 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <waker/mapping/stencil.h>
-#include <waker/mechanics/kinematics.h>
 #include <waker/mechanics/stress_update.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace Waker
 {
   namespace
   {
-    /// Entry (i, j) of a symmetric 3x3 tensor.
-    constexpr unsigned int
-    entry(const unsigned int i, const unsigned int j)
-    {
-      return i == j ? i : i + j + 2;
-    }
-
-
-    /// Stress of the point l of a block.
-    SymmetricTensor<2, 3>
-    block_stress(const Material::Block &block, const unsigned int l)
-    {
-      SymmetricTensor<2, 3> stress;
-      for (unsigned int a = 0; a < 6; ++a)
-        stress.access_raw_entry(a) = block.stress[a][l];
-      return stress;
-    }
-
-
     /// Elastic energy per volume of a stress (kPa).
     inline double
     elastic_energy(const SymmetricTensor<2, 3> &stress,
@@ -69,12 +49,10 @@ namespace Waker
 
 
   template <int dim>
-  StressUpdate<dim>::StressUpdate(const Materials &materials,
-                                  const bool       objective_rate,
-                                  const bool       logarithmic)
+  StressUpdate<dim>::StressUpdate(const Materials                  &materials,
+                                  std::unique_ptr<PointMotion<dim>> motion)
     : materials(&materials)
-    , objective_rate(objective_rate)
-    , logarithmic(logarithmic)
+    , motion(std::move(motion))
   {
     for (const auto &material : materials)
       {
@@ -104,9 +82,7 @@ namespace Waker
                         ExcMessage("the points lack the variable " + names[v]));
           }
       }
-    gradients.resize(points.n_points());
-    if (logarithmic)
-      steps.resize(points.n_points());
+    motion->resize(points.n_points());
   }
 
 
@@ -120,18 +96,23 @@ namespace Waker
     find_variables(points);
     internal_force = 0.;
 
-    Range range = {0, 0};
+    Work       work;
+    PointRange range = {0, 0};
     while (range.end < points.n_points())
       {
-        range = range_from(points, range.end);
-        evaluate_range(
-          points, weights, range, increment.begin(), internal_force.begin());
+        range                    = range_from(points, range.end);
+        const Material &material = *(*materials)[points.material[range.begin]];
+        motion->gather(material, points, weights, range, increment.begin());
+        load(points, range, work);
+        material.update_block(range.size(), work.block);
+        motion->scatter(
+          material, points, weights, range, work.block, internal_force.begin());
       }
   }
 
 
   template <int dim>
-  typename StressUpdate<dim>::Range
+  PointRange
   StressUpdate<dim>::range_from(const MaterialPoints<dim> &points,
                                 const std::size_t          begin)
   {
@@ -148,91 +129,22 @@ namespace Waker
   template <int dim>
   void
   StressUpdate<dim>::load(const MaterialPoints<dim> &points,
-                          const Range               &range,
+                          const PointRange          &range,
                           Work                      &work) const
   {
-    constexpr unsigned int N        = Material::block_size;
-    const unsigned int     n_points = range.end - range.begin;
-    Material::Block       &block    = work.block;
-    auto                  &H        = work.motion.H;
-    block.variables                 = work.variables;
-    work.motion.objective_rate      = objective_rate;
-
-    for (unsigned int l = 0; l < n_points; ++l)
-      {
-        const std::size_t p = range.begin + l;
-        for (unsigned int i = 0; i < dim; ++i)
-          for (unsigned int j = 0; j < dim; ++j)
-            H[dim * i + j][l] = gradients[p][i][j];
-        for (unsigned int a = 0; a < 6; ++a)
-          block.stress[a][l] = points.stress[p].access_raw_entry(a);
-      }
-    for (unsigned int l = n_points; l < N; ++l)
-      {
-        for (unsigned int k = 0; k < dim * dim; ++k)
-          H[k][l] = 0.;
-        for (unsigned int a = 0; a < 6; ++a)
-          block.stress[a][l] = 0.;
-      }
+    constexpr unsigned int  N = Material::block_size;
+    const unsigned int      n = range.size();
     const std::vector<int> &arrays =
       variable_arrays[points.material[range.begin]];
+    work.block.variables = work.variables;
     for (unsigned int v = 0; v < arrays.size(); ++v)
       {
         const double *const values =
           points.scalars[arrays[v]].values.data() + range.begin;
-        for (unsigned int l = 0; l < N; ++l)
-          work.variables[v][l] = l < n_points ? values[l] : 0.;
+        std::copy_n(values, n, work.variables[v]);
+        std::fill(work.variables[v] + n, work.variables[v] + N, 0.);
       }
-    if (logarithmic)
-      load_logarithmic(range, work);
-    else
-      work.motion.move(block);
-  }
-
-
-  template <int dim>
-  void
-  StressUpdate<dim>::evaluate_range(const MaterialPoints<dim> &points,
-                                    const Weights<dim>        &weights,
-                                    const Range               &range,
-                                    const double              *increment,
-                                    double                    *force)
-  {
-    const Stencil<dim> stencil(weights.background_grid());
-    const unsigned int m        = points.material[range.begin];
-    const unsigned int n_points = range.end - range.begin;
-    for (std::size_t p = range.begin; p < range.end; ++p)
-      gradients[p] = stencil.gradient(weights[p], increment);
-    if (logarithmic)
-      for (std::size_t p = range.begin; p < range.end; ++p)
-        steps[p] = LogarithmicStep<dim>(gradients[p], start_strain(points, p));
-
-    Work             work;
-    Material::Block &block = work.block;
-    load(points, range, work);
-    (*materials)[m]->update_block(n_points, block);
-
-    if (logarithmic)
-      {
-        for (unsigned int l = 0; l < n_points; ++l)
-          {
-            const std::size_t    p = range.begin + l;
-            const Tensor<2, dim> P =
-              natural_volume(points, p) *
-              steps[p].first_piola(block_stress(block, l));
-            stencil.scatter_gradient(weights[p], P, force);
-          }
-        return;
-      }
-    for (unsigned int l = 0; l < n_points; ++l)
-      {
-        const std::size_t p = range.begin + l;
-        Tensor<2, dim>    P;
-        for (unsigned int i = 0; i < dim; ++i)
-          for (unsigned int j = 0; j < dim; ++j)
-            P[i][j] = points.volume[p] * block.stress[entry(i, j)][l];
-        stencil.scatter_gradient(weights[p], P, force);
-      }
+    motion->trial(points, range, work.block);
   }
 
 
@@ -240,39 +152,38 @@ namespace Waker
   void
   StressUpdate<dim>::tangent(const MaterialPoints<dim> &points,
                              const std::size_t          b,
-                             BlockTangent              &tangent) const
+                             double                    *A,
+                             const unsigned int         n_out,
+                             const unsigned int         n_in) const
   {
-    constexpr unsigned int N    = Material::block_size;
-    constexpr unsigned int n    = BlockMotion<dim>::n_stresses;
-    const std::size_t      last = std::min((b + 1) * N, points.n_points());
+    constexpr unsigned int N           = Material::block_size;
+    constexpr unsigned int max_entries = (dim * dim + 1) * (dim * dim + 1);
+    const unsigned int     n_entries   = n_out * n_in;
+    Assert(n_entries <= max_entries, ExcInternalError());
+    const std::size_t last = std::min((b + 1) * N, points.n_points());
 
-    Work   work;
-    double D[n * n][N] = {};
-    double turned[6][N], volume[N] = {}, A[n][dim * dim][N];
-    Range  range = {b * N, b * N};
+    Work       work, end;
+    double     part[max_entries * N];
+    PointRange range = {b * N, b * N};
     while (range.end < last)
       {
-        range                       = range_from(points, range.end);
-        const unsigned int n_points = range.end - range.begin;
+        range                    = range_from(points, range.end);
+        const unsigned int n     = range.size();
         const Material &material = *(*materials)[points.material[range.begin]];
+        if (motion->derivative_needs_stress())
+          {
+            load(points, range, end);
+            material.update_block(n, end.block);
+          }
         load(points, range, work);
-        std::copy_n(&work.block.stress[0][0], 6 * N, &turned[0][0]);
-        material.tangent_block(
-          n_points, work.block, n, BlockMotion<dim>::components, D);
-        std::copy_n(points.volume.data() + range.begin, n_points, volume);
-        work.motion.stress_derivative(
-          D, turned, material.shear_modulus(), volume, A);
-
-        const unsigned int first = range.begin % N;
-        for (unsigned int a = 0; a < n; ++a)
-          for (unsigned int k = 0; k < dim * dim; ++k)
-            for (unsigned int l = 0; l < n_points; ++l)
-              tangent.A[a][k][first + l] = A[a][k][l];
+        double *const to = n == N ? A : part;
+        motion->derivative(material, points, range, work.block, &end.block, to);
+        if (to == part)
+          for (unsigned int k = 0; k < n_entries; ++k)
+            std::copy_n(part + k * N, n, A + k * N + range.begin % N);
       }
-    for (unsigned int l = last - b * N; l < N; ++l)
-      for (unsigned int a = 0; a < n; ++a)
-        for (unsigned int k = 0; k < dim * dim; ++k)
-          tangent.A[a][k][l] = 0.;
+    for (unsigned int k = 0; k < n_entries; ++k)
+      std::fill(A + k * N + (last - b * N), A + (k + 1) * N, 0.);
   }
 
 
@@ -282,23 +193,31 @@ namespace Waker
     const MaterialPoints<dim>          &points,
     std::vector<SymmetricTensor<4, 3>> &tangents) const
   {
-    double variables[max_variables];
     tangents.resize(points.n_points());
-    for (std::size_t p = 0; p < points.n_points(); ++p)
+    Work       work;
+    PointRange range = {0, 0};
+    while (range.end < points.n_points())
       {
-        const unsigned int    m = points.material[p];
-        const Kinematics<dim> motion(gradients[p], objective_rate);
-        SymmetricTensor<2, 3> strain, stress;
-        if (logarithmic)
-          strain = steps[p].trial_strain();
-        else
+        range                       = range_from(points, range.end);
+        const unsigned int m        = points.material[range.begin];
+        const Material    &material = *(*materials)[m];
+        load(points, range, work);
+        for (unsigned int l = 0; l < range.size(); ++l)
           {
-            strain = motion.strain();
-            stress = motion.turn(points.stress[p]);
+            SymmetricTensor<2, 3> strain, stress;
+            for (unsigned int a = 0; a < 6; ++a)
+              {
+                strain.access_raw_entry(a) = work.block.strain_increment[a][l];
+                stress.access_raw_entry(a) = work.block.stress[a][l];
+              }
+            double variables[max_variables];
+            for (unsigned int v = 0; v < variable_arrays[m].size(); ++v)
+              variables[v] = work.variables[v][l];
+            material.update(strain,
+                            stress,
+                            variables,
+                            &tangents[range.begin + l]);
           }
-        for (unsigned int v = 0; v < variable_arrays[m].size(); ++v)
-          variables[v] = points.scalars[variable_arrays[m][v]].values[p];
-        (*materials)[m]->update(strain, stress, variables, &tangents[p]);
       }
   }
 
@@ -307,58 +226,23 @@ namespace Waker
   StressReport
   StressUpdate<dim>::accept(MaterialPoints<dim> &points) const
   {
-    const int              plastic = points.find_scalar("plastic strain");
-    StressReport           report;
-    Work                   work;
-    const Material::Block &block = work.block;
-    Range                  range = {0, 0};
+    const int    plastic = points.find_scalar("plastic strain");
+    StressReport report;
+    Work         work;
+    PointRange   range = {0, 0};
     while (range.end < points.n_points())
       {
         range                       = range_from(points, range.end);
         const unsigned int m        = points.material[range.begin];
         const Material    &material = *(*materials)[m];
-        const unsigned int n_points = range.end - range.begin;
-        const double       bulk     = 0.5 / material.bulk_modulus();
-        const double       shear    = 0.25 / material.shear_modulus();
         load(points, range, work);
-        material.update_block(n_points, work.block);
-
-        if (logarithmic)
-          accept_logarithmic(range, block, points, report);
-        for (unsigned int l = 0; l < n_points && !logarithmic; ++l)
-          {
-            const std::size_t p     = range.begin + l;
-            const double      V     = points.volume[p];
-            double            start = 0., end = 0., square = 0.;
-            for (unsigned int i = 0; i < dim; ++i)
-              for (unsigned int j = 0; j < dim; ++j)
-                {
-                  const double       H = work.motion.H[dim * i + j][l];
-                  const unsigned int a = entry(i, j);
-                  start += points.stress[p].access_raw_entry(a) * H;
-                  end += block.stress[a][l] * H;
-                }
-            for (unsigned int a = 0; a < 6; ++a)
-              {
-                const double s = block.stress[a][l];
-                square += (a < 3 ? 1. : 2.) * s * s;
-                points.stress[p].access_raw_entry(a) = s;
-              }
-            const double pressure =
-              (block.stress[0][l] + block.stress[1][l] + block.stress[2][l]) /
-              3.;
-            report.work_start += V * start;
-            report.work_end += V * end;
-            report.dissipation += V * block.dissipation[l];
-            report.elastic_energy +=
-              V * (pressure * pressure * bulk +
-                   (square - 3. * pressure * pressure) * shear);
-          }
+        material.update_block(range.size(), work.block);
+        motion->commit(material, range, work.block, points, report);
         for (unsigned int v = 0; v < variable_arrays[m].size(); ++v)
           {
             const int     array  = variable_arrays[m][v];
             double *const values = points.scalars[array].values.data();
-            for (unsigned int l = 0; l < n_points; ++l)
+            for (unsigned int l = 0; l < range.size(); ++l)
               {
                 double &value = values[range.begin + l];
                 if (array == plastic)

@@ -179,6 +179,7 @@ namespace Waker
                        fixities,
                        full_node_mass,
                        parameters.gravity.tolerance,
+                       parameters.mapping,
                        scene.nodes,
                        points,
                        scene.walls.empty() ? nullptr : &scene.walls);
@@ -349,18 +350,9 @@ namespace Waker
   void
   Scene<dim>::set_internal_force(const MaterialPoints<dim> &points)
   {
-    const Stencil<dim> stencil(the_case->grid);
     nodes.internal_force = 0.;
-    for (std::size_t p = 0; p < points.n_points(); ++p)
-      {
-        Tensor<2, dim> stress;
-        for (unsigned int c = 0; c < dim; ++c)
-          for (unsigned int d = 0; d < dim; ++d)
-            stress[c][d] = points.volume[p] * points.stress[p][c][d];
-        stencil.scatter_gradient(weights[p],
-                                 stress,
-                                 nodes.internal_force.begin());
-      }
+    make_point_motion<dim>(the_case->parameters.mapping)
+      ->add_force_of_stress(points, weights, nodes.internal_force);
   }
 
 

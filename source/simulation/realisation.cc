@@ -61,10 +61,9 @@ namespace Waker
                          the_case.fixities,
                          the_case.parameters.time,
                          the_case.parameters.newton,
-                         the_case.parameters.mapping.objective_rate,
+                         the_case.parameters.mapping,
                          the_case.parameters.gravity.acceleration,
                          the_case.full_node_mass,
-                         the_case.parameters.mapping.strain == "logarithmic",
                          scene.walls.empty() ? nullptr : &scene.walls}))
   {
     report.kinetic_energy = state.energy.kinetic;

@@ -64,7 +64,7 @@ namespace Waker
 
     const double per_point =
       8. * (4 + 7 * dim + 2 * 6 + 8 + 6 * dim) +
-      sizeof(typename StressUpdate<dim>::BlockTangent) / Material::block_size;
+      8. * (dim * (dim + 1) / 2 + 1) * (dim * dim + 1); // a point's tangent
     const double per_node = 8. * (2 + 20 * dim);
     sizes.memory          = per_point * n_points + per_node * n_nodes +
                    solver_memory<dim>(parameters, n_points, n_nodes);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/materials/factory.h>
+#include <waker/mechanics/step_motion.h>
 #include <waker/mechanics/stress_update.h>
 
 #include "mapping_lattice.h"
@@ -62,7 +63,8 @@ namespace
     H[0][1]                = gamma / n; // u_x = gamma y
     const NodalVector   du = Lattice::linear_field(grid, H, Tensor<1, dim>());
     NodalVector         force(grid.n_dofs());
-    StressUpdate<dim>   update(materials, /*objective_rate=*/false);
+    StressUpdate<dim>   update(materials,
+                             std::make_unique<StepMotion<dim>>(false));
     std::vector<Moment> history = {{0., 0., c_i, 0., 0.}};
     for (unsigned int step = 1; step <= n; ++step)
       {

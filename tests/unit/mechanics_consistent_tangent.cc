@@ -21,11 +21,11 @@ namespace
   template <int dim>
   struct Body
   {
-    Body(const ShapeFunctions functions, const bool objective)
+    Body(const ShapeFunctions functions, const MappingParameters &mapping)
       : grid(Lattice::grid<dim>(1., h))
       , weights(grid, functions)
       , increment(grid.n_dofs())
-      , objective(objective)
+      , mapping(mapping)
     {
       materials.push_back(
         std::make_unique<VonMisesSoftening>(1.5, 1000., 0.45, 13., 5., -50.));
@@ -67,7 +67,7 @@ namespace
     internal_force(const NodalVector &u)
     {
       NodalVector       force(grid.n_dofs());
-      StressUpdate<dim> update(materials, objective);
+      StressUpdate<dim> update(materials, make_point_motion<dim>(mapping));
       update.evaluate(points, weights, u, force);
       return force;
     }
@@ -77,18 +77,19 @@ namespace
     Materials           materials;
     Weights<dim>        weights;
     NodalVector         increment;
-    bool                objective;
+    MappingParameters   mapping;
   };
 
 
   template <int dim>
   void
-  check_tangent(const ShapeFunctions functions, const bool objective)
+  check_tangent(const ShapeFunctions     functions,
+                const MappingParameters &mapping)
   {
-    Body<dim>              body(functions, objective);
-    const unsigned int     n = body.grid.n_dofs();
-    NodalVector            force(n);
-    StressUpdate<dim>      update(body.materials, objective);
+    Body<dim>          body(functions, mapping);
+    const unsigned int n = body.grid.n_dofs();
+    NodalVector        force(n);
+    StressUpdate<dim>  update(body.materials, make_point_motion<dim>(mapping));
     ConsistentTangent<dim> tangent(body.weights);
     update.evaluate(body.points, body.weights, body.increment, force);
     tangent.reinit(update, body.points);
@@ -134,11 +135,13 @@ namespace
       }
     EXPECT_LT(worst, 2e-7);
     Verification::row("tangents_consistent",
-                      "dimension,functions,objective rate,points elastic,"
+                      "dimension,functions,objective rate,volumetric strain,"
+                      "points elastic,"
                       "softening,residual,largest relative error",
                       dim,
                       functions == ShapeFunctions::gimp ? "GIMP" : "linear",
-                      objective,
+                      mapping.objective_rate,
+                      mapping.volumetric_strain,
                       n_elastic,
                       n_softening,
                       n_residual,
@@ -167,10 +170,11 @@ namespace
   void
   scan_differences(const ShapeFunctions functions)
   {
-    Body<dim>              body(functions, true);
+    Body<dim>              body(functions, MappingParameters());
     const unsigned int     n = body.grid.n_dofs();
     NodalVector            force(n), direction(n), product(n);
-    StressUpdate<dim>      update(body.materials, true);
+    StressUpdate<dim>      update(body.materials,
+                             make_point_motion<dim>(body.mapping));
     ConsistentTangent<dim> tangent(body.weights);
     update.evaluate(body.points, body.weights, body.increment, force);
     tangent.reinit(update, body.points);
@@ -207,10 +211,14 @@ TEST(Mechanics, consistent_tangent_is_the_derivative)
 {
   for (const auto functions : {ShapeFunctions::gimp, ShapeFunctions::linear})
     for (const bool objective : {true, false})
-      {
-        check_tangent<2>(functions, objective);
-        check_tangent<3>(functions, objective);
-      }
+      for (const char *const volumetric : {"standard", "B-bar"})
+        {
+          MappingParameters mapping;
+          mapping.objective_rate    = objective;
+          mapping.volumetric_strain = volumetric;
+          check_tangent<2>(functions, mapping);
+          check_tangent<3>(functions, mapping);
+        }
 }
 
 

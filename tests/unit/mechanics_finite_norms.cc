@@ -87,6 +87,7 @@ TEST(FiniteNorms, gravity_step_does_not_converge_to_infinity)
                                                 the_case.fixities,
                                                 the_case.full_node_mass,
                                                 1e-6,
+                                                the_case.parameters.mapping,
                                                 scene.nodes,
                                                 points);
       EXPECT_FALSE(report.converged) << load;

@@ -4,6 +4,7 @@
 #include <waker/materials/linear_elastic.h>
 #include <waker/mechanics/direct_solver.h>
 #include <waker/mechanics/ghost_stiffness.h>
+#include <waker/mechanics/logarithmic_motion.h>
 #include <waker/mechanics/newton.h>
 
 #include "mapping_lattice.h"
@@ -116,7 +117,8 @@ namespace
   check_direct_solver(const double reach)
   {
     Block<dim>             block(reach);
-    StressUpdate<dim>      update(block.materials, true, true);
+    StressUpdate<dim>      update(block.materials,
+                             std::make_unique<LogarithmicMotion<dim>>());
     ConsistentTangent<dim> tangent(block.weights);
     NodalVector            u(block.grid.n_dofs()), force(u);
     Lattice::Random        random(11);
@@ -177,7 +179,8 @@ namespace
                            block.full_mass(),
                            {},
                            LinearMethod::direct);
-    StressUpdate<2> update(block.materials, true, true);
+    StressUpdate<2> update(block.materials,
+                           std::make_unique<LogarithmicMotion<2>>());
     try
       {
         const NewtonReport report =

@@ -44,16 +44,16 @@ namespace
       newton.tolerance                 = tolerance;
       newton.linear_tolerance          = 1e-6;
       newton.maximum_linear_iterations = 3000;
+      mapping.strain                   = "logarithmic";
       scheme                           = make_time_scheme(SchemeInput<dim>{grid,
                                                                            weights,
                                                                            materials,
                                                                            fixities,
                                                                            this->time,
                                                                            newton,
-                                                                           true,
+                                                                           mapping,
                                                                            gravity,
-                                                                           density * std::pow(h, dim),
-                                                                           /*logarithmic=*/true});
+                                                                           density * std::pow(h, dim)});
     }
 
     StepReport<dim>
@@ -78,6 +78,7 @@ namespace
     TimeParameters                   time;
     double                           gravity;
     NewtonParameters                 newton;
+    MappingParameters                mapping;
     BackgroundGrid<dim>              grid;
     Fixities<dim>                    fixities;
     Weights<dim>                     weights;

@@ -2,6 +2,7 @@
 #include <waker/materials/von_mises_softening.h>
 #include <waker/mechanics/consistent_tangent.h>
 #include <waker/mechanics/deformation.h>
+#include <waker/mechanics/logarithmic_motion.h>
 
 #include "mapping_lattice.h"
 #include <gtest/gtest.h>
@@ -48,7 +49,8 @@ namespace
     StressReport
     deform(const Tensor<2, dim> &dF)
     {
-      StressUpdate<dim> update(materials, true, /*logarithmic=*/true);
+      StressUpdate<dim> update(materials,
+                               std::make_unique<LogarithmicMotion<dim>>());
       update.evaluate(points,
                       weights,
                       Lattice::linear_field(grid,
@@ -273,11 +275,13 @@ namespace
       value += random(-0.06, 0.06) * h;
 
     const unsigned int     n = grid.n_dofs();
-    StressUpdate<dim>      update(materials, true, /*logarithmic=*/true);
+    StressUpdate<dim>      update(materials,
+                             std::make_unique<LogarithmicMotion<dim>>());
     ConsistentTangent<dim> tangent(weights);
     NodalVector            force(n), up(n), down(n), product(n), other(n);
     const auto internal_force = [&](const NodalVector &v, NodalVector &f) {
-      StressUpdate<dim>(materials, true, true).evaluate(points, weights, v, f);
+      StressUpdate<dim>(materials, std::make_unique<LogarithmicMotion<dim>>())
+        .evaluate(points, weights, v, f);
     };
     update.evaluate(points, weights, u, force);
     tangent.reinit(update, points);

@@ -2,6 +2,7 @@
 #include <waker/mapping/transfer.h>
 #include <waker/materials/von_mises_softening.h>
 #include <waker/mechanics/newton.h>
+#include <waker/mechanics/step_motion.h>
 
 #include "mapping_lattice.h"
 #include "verification_data.h"
@@ -101,7 +102,8 @@ namespace
     typename NewtonSolver<dim>::Inertia inertia;
     inertia.factor  = 4. / (problem.dt * problem.dt);
     inertia.history = &history;
-    StressUpdate<dim>  update(materials, true);
+    StressUpdate<dim>  update(materials,
+                             std::make_unique<StepMotion<dim>>(true));
     const NewtonReport report =
       newton.solve(points, inertia, {}, update, nodes);
 
@@ -264,7 +266,7 @@ TEST(Mechanics, newton_sees_convergence_without_load)
   parameters.tolerance        = 1e-8;
   parameters.linear_tolerance = 1e-12;
   NewtonSolver<2>    newton(weights, fixities, parameters, density * h * h, {});
-  StressUpdate<2>    update(materials, false);
+  StressUpdate<2>    update(materials, std::make_unique<StepMotion<2>>(false));
   const NewtonReport report = newton.solve(points, {}, {}, update, nodes);
   update.accept(points);
   EXPECT_TRUE(report.converged) << report.residuals.back();
@@ -303,7 +305,7 @@ TEST(Mechanics, newton_never_takes_what_is_not_a_number_for_converged)
             nodes.external_force.begin()[2 * i] = bad;
             break;
           }
-      StressUpdate<2>    update(materials, false);
+      StressUpdate<2> update(materials, std::make_unique<StepMotion<2>>(false));
       const NewtonReport report =
         newton.solve(points, inertia, {}, update, nodes);
       EXPECT_EQ(report.converged, bad == 0.) << bad;

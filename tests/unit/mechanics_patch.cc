@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/materials/linear_elastic.h>
 #include <waker/mechanics/newton.h>
+#include <waker/mechanics/step_motion.h>
 #include <waker/mechanics/stress_update.h>
 
 #include "mapping_lattice.h"
@@ -74,7 +75,8 @@ namespace
     auto              points    = Lattice::box(lower, n, spacing);
     const Materials   materials = elastic();
     Weights<dim>      weights(grid, functions);
-    StressUpdate<dim> update(materials, /*objective_rate=*/false);
+    StressUpdate<dim> update(materials,
+                             std::make_unique<StepMotion<dim>>(false));
     NodalVector       force(grid.n_dofs());
     weights.reinit(points);
 
@@ -229,7 +231,8 @@ namespace
     for (std::size_t k = 0; k < increments.size(); ++k)
       nodes.increment.begin()[fixities.removed_list()[k]] = increments[k];
 
-    StressUpdate<dim>  update(materials, /*objective_rate=*/false);
+    StressUpdate<dim>  update(materials,
+                             std::make_unique<StepMotion<dim>>(false));
     const NewtonReport report = solver.solve(points, {}, {}, update, nodes);
     EXPECT_TRUE(report.converged) << tangent << ' ' << dim;
     update.accept(points);

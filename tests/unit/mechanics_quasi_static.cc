@@ -34,13 +34,14 @@ namespace
       newton.tolerance                 = 1e-10;
       newton.linear_tolerance          = 1e-6;
       newton.maximum_linear_iterations = 3000;
+      mapping.objective_rate           = false;
       scheme                = make_quasi_static(SchemeInput<dim>{grid,
                                                                  weights,
                                                                  materials,
                                                                  fixities,
                                                                  this->time,
                                                                  newton,
-                                                                 /*objective_rate=*/false,
+                                                                 mapping,
                                                                  gravity,
                                                                  density * std::pow(h, dim)});
       account.elastic_start = 0.;
@@ -74,6 +75,7 @@ namespace
 
     TimeParameters                   time;
     NewtonParameters                 newton;
+    MappingParameters                mapping;
     BackgroundGrid<dim>              grid;
     Fixities<dim>                    fixities;
     Weights<dim>                     weights;

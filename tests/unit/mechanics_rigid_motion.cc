@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/materials/von_mises_softening.h>
+#include <waker/mechanics/step_motion.h>
 #include <waker/mechanics/stress_update.h>
 
 #include "mapping_lattice.h"
@@ -41,7 +42,8 @@ namespace
                    random(0., 50.) * unit_symmetric_tensor<3>();
         }
       initial = points;
-      update  = std::make_unique<StressUpdate<dim>>(materials, objective);
+      update  = std::make_unique<StressUpdate<dim>>(
+        materials, std::make_unique<StepMotion<dim>>(objective));
     }
 
     /// One step with u = A (x - centre) + b on all nodes.

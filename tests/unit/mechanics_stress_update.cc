@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/materials/von_mises_softening.h>
 #include <waker/mechanics/kinematics.h>
+#include <waker/mechanics/step_motion.h>
 #include <waker/mechanics/stress_update.h>
 
 #include "mapping_lattice.h"
@@ -90,7 +91,8 @@ namespace
       entry = random(-0.07, 0.07) * h;
     force = 1e9; // what was there must not matter
 
-    StressUpdate<dim>  update(materials, objective);
+    StressUpdate<dim>  update(materials,
+                             std::make_unique<StepMotion<dim>>(objective));
     const Stencil<dim> stencil(grid);
     auto               reference = points;
     StressReport       sums;

@@ -45,6 +45,17 @@ namespace Waker
                       const double  shear_modulus,
                       const double *scale,
                       double (*A)[dim * dim][N]) const;
+
+    /// All normal stresses: in 2D xx, yy, zz, xy.
+    static constexpr unsigned int n_full_stresses = dim == 2 ? 4 : 6;
+
+    /// The same for these, with D[n_full_stresses a + b].
+    void
+    full_stress_derivative(const double (*D)[N],
+                           const double (*turned)[N],
+                           const double  shear_modulus,
+                           const double *scale,
+                           double (*A)[dim * dim][N]) const;
   };
 } // namespace Waker
 

@@ -19,8 +19,10 @@ namespace Waker
   public:
     /// Both must outlive this object.
     ConsistentTangent(const Weights<dim> &weights);
+    ~ConsistentTangent();
 
-    /// Linearise where `stress_update` was last evaluated.
+    /// Linearise where `stress_update` was last evaluated: of the same motion
+    /// each time.
     void
     reinit(const StressUpdate<dim>   &stress_update,
            const MaterialPoints<dim> &points);
@@ -43,18 +45,10 @@ namespace Waker
       return *weights;
     }
 
-    /// The tangent of a point, for assembly: the change of its volume times
-    /// stress with the gradient of the increment. Not with logarithmic strain.
-    void
-    point_tangent(const std::size_t p,
-                  double (&A)[dim * (dim + 1) / 2][dim * dim]) const;
-
   private:
-    const Weights<dim>                                   *weights;
-    std::vector<typename StressUpdate<dim>::BlockTangent> tangents;
-    /// Instead of `tangents` with logarithmic strain.
-    std::vector<typename StressUpdate<dim>::FullBlockTangent> full_tangents;
-    NodalVector                                               diagonal;
+    const Weights<dim>                 *weights;
+    std::unique_ptr<PointTangents<dim>> tangents;
+    NodalVector                         diagonal;
   };
 } // namespace Waker
 

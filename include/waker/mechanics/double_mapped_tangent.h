@@ -5,10 +5,12 @@
 #include <waker/mechanics/stress_update.h>
 #include <waker/nodes/operator.h>
 
-#include <array>
-
 namespace Waker
 {
+  template <int dim>
+  class ElementTangents;
+
+
   /**
    * The double-mapped stiffness (Gonzalez Acosta et al. 2020): DM with linear
    * functions, DM-G with GIMP. The points' tangents D_p go to the nodes of each
@@ -18,15 +20,20 @@ namespace Waker
    *   D_g = sum_i N_i(x_g) D_i,  K_e = sum_g w_g |J| B_g^T D_g B_g.
    * Constant in a full element wherever the points lie, proportional to the
    * filled share in others, and blind to cell crossings; but not the derivative
-   * of the internal force: Newton converges linearly with it.
+   * of the internal force: Newton converges linearly with it. If the points'
+   * dilatation is that of the cells' centres (MeanDilatationMotion), B_g has
+   * the element's, too (Hughes 1980), with a full row zz in plane strain.
    */
   template <int dim>
   class DoubleMappedTangent : public Operator
   {
   public:
+    /// The weights must outlive this object.
     DoubleMappedTangent(const Weights<dim> &weights);
+    ~DoubleMappedTangent();
 
-    /// Linearise where `stress_update` was last evaluated.
+    /// Linearise where `stress_update` was last evaluated: of the same motion
+    /// each time.
     void
     reinit(const StressUpdate<dim>   &stress_update,
            const MaterialPoints<dim> &points);
@@ -44,26 +51,9 @@ namespace Waker
     }
 
   private:
-    static constexpr unsigned int n_stresses = dim * (dim + 1) / 2;
-    static constexpr unsigned int n_vertices = 1 << dim;
-    static constexpr unsigned int n_gauss    = n_vertices;
-
-    struct Element
-    {
-      unsigned int node; // lower left
-      /// First the sums over points at the nodes, then the values at the Gauss
-      /// points times their weight (kN m^(dim-2)).
-      double D[n_gauss][n_stresses][n_stresses];
-    };
-
-    const Weights<dim>                *weights;
-    std::vector<int>                   element_of_cell; // by lower left node
-    std::vector<Element>               elements;        // the active ones
-    std::vector<SymmetricTensor<4, 3>> material_tangents;
-    /// N_i at the Gauss points, and their gradients (1/m).
-    double shape_values[n_gauss][n_vertices];
-    double shape_gradients[n_gauss][n_vertices][dim];
-    std::array<unsigned int, n_vertices> vertex_offsets; // in node numbers
+    const Weights<dim>                   *weights;
+    std::unique_ptr<ElementTangents<dim>> elements;
+    std::vector<SymmetricTensor<4, 3>>    material_tangents;
   };
 } // namespace Waker
 

@@ -33,18 +33,20 @@ namespace Waker
    * @param nodes in: mass, external_force (weight and water)
    * @param full_node_mass see NewtonSolver: the norm of the residual is its
    * @param tolerance of the relative residual
+   * @param mapping the strain, small here, and its volumetric part
    * @param walls off the grid, in contact; null: none
    */
   template <int dim>
   GravityReport
-  gravity_step(const Materials     &materials,
-               const Weights<dim>  &weights,
-               const Fixities<dim> &fixities,
-               const double         full_node_mass,
-               const double         tolerance,
-               NodalState          &nodes,
-               MaterialPoints<dim> &points,
-               const Walls<dim>    *walls = nullptr);
+  gravity_step(const Materials         &materials,
+               const Weights<dim>      &weights,
+               const Fixities<dim>     &fixities,
+               const double             full_node_mass,
+               const double             tolerance,
+               const MappingParameters &mapping,
+               NodalState              &nodes,
+               MaterialPoints<dim>     &points,
+               const Walls<dim>        *walls = nullptr);
 } // namespace Waker
 
 #endif

@@ -99,6 +99,9 @@ namespace Waker
     /// strain of the elastic deformation since the start, with the internal
     /// force in the deformed configuration.
     std::string strain = "step";
+    /// "standard", or "B-bar": the dilatation of the cells' centres (see
+    /// MeanDilatationMotion).
+    std::string volumetric_strain = "standard";
     /// Support domains: "constant", or "stretched" with the points' deformation
     /// (cpGIMP; Charlton et al. 2017).
     std::string domains = "constant";

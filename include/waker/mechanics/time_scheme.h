@@ -88,11 +88,10 @@ namespace Waker
     const Fixities<dim>       &fixities;
     const TimeParameters      &time;
     const NewtonParameters    &newton;
-    bool                       objective_rate;
-    double                     gravity;               // m/s^2
-    double                     full_node_mass;        // Mg
-    bool                       logarithmic = false;   // strain
-    const Walls<dim>          *walls       = nullptr; // off the grid, if any
+    const MappingParameters   &mapping;
+    double                     gravity;         // m/s^2
+    double                     full_node_mass;  // Mg
+    const Walls<dim>          *walls = nullptr; // off the grid, if any
   };
 
   /**
