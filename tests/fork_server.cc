@@ -3,7 +3,7 @@
 // The program `waker` for tests that call it many times: to load its 200 shared
 // libraries takes ten times as long as to refuse a wrong input. They are loaded
 // once here; each call is a child of this process, in which nothing has run
-// but the libraries' initialisation, as at the begin of main().
+// but the libraries' initialisation, as at the beginning of main().
 //
 // A request on standard input is its length in bytes (32 bits, native) and
 // strings that each end with a zero: working folder, files for standard input,

@@ -72,6 +72,12 @@ class Runs:
         write_text(path, "\n".join(lines) + "\n")
         return path
 
+    def call(self, arguments):
+        # MPI looks for no other processes: a run starts in half the time.
+        environment = dict(os.environ, OMPI_MCA_ess_singleton_isolated="1")
+        return subprocess.run([self.waker, *arguments], capture_output=True,
+                              text=True, env=environment, check=False)
+
     def run(self, name, file, sets, options=(), may_fail=False):
         """waker run of parameters/chapter3/<file> with {"Section/Name": value}
         into the folder `name`, unless that has been done."""
@@ -89,11 +95,7 @@ class Runs:
                 if json.load(stream) == inputs:
                     return Run(folder)
         shutil.rmtree(folder, ignore_errors=True)
-        # MPI looks for no other processes: a run starts in half the time.
-        environment = dict(os.environ, OMPI_MCA_ess_singleton_isolated="1")
-        done = subprocess.run(
-            [self.waker, *arguments, "--set", f"Output/Directory={folder}"],
-            capture_output=True, text=True, env=environment, check=False)
+        done = self.call([*arguments, "--set", f"Output/Directory={folder}"])
         if done.returncode != 0 and not (may_fail and done.returncode == 3):
             sys.exit(f"{self.waker} {' '.join(arguments)}\nended with "
                      f"{done.returncode}:\n{done.stdout}{done.stderr}")

@@ -11,6 +11,7 @@ import sys
 import time
 
 import h5py
+import program
 
 # What may differ between two campaigns with the same results.
 TIMINGS = ("wall_time", "field_time")
@@ -60,17 +61,25 @@ class Campaign:
 
     def run(self, *flags, ranks=0, **more):
         """To its end. Must succeed."""
-        finish(self.start(*flags, ranks=ranks, **more))
+        if ranks:
+            finish(self.start(*flags, ranks=ranks, **more))
+        else:
+            self.ask(self.command(*flags, **more), check=True)
+
+    def ask(self, words, **more):
+        """A command line of the program to its end, without a process to wait
+        for or to kill."""
+        return program.shared(self.waker).run(words[1:], env=self.environment,
+                                              **more)
+
+    def asked(self, *flags, **settings):
+        """The campaign likewise; it may fail."""
+        return self.ask(self.command(*flags, **settings))
 
     def call(self, command, *flags):
         """`waker status` or `merge`; must succeed. Returns what it prints."""
         words = [self.waker, command, self.folder, *flags]
-        done = subprocess.run(words, env=self.environment, text=True,
-                              capture_output=True, check=False)
-        if done.returncode != 0:
-            sys.exit(f"{' '.join(words)}\nended with {done.returncode}:\n"
-                     f"{done.stdout}{done.stderr}")
-        return done.stdout
+        return self.ask(words, check=True).stdout
 
     def journals(self):
         return sorted(glob.glob(os.path.join(self.folder, "journal-*.jsonl")))
@@ -134,7 +143,7 @@ class Campaign:
 
 
 def finish(process, code=0):
-    """Wait for a started campaign, which must end with this exit code."""
+    """Wait for what was started, which must end with this exit code."""
     error = process.communicate()[1]
     if process.returncode != code:
         sys.exit(f"{' '.join(process.args)}\nended with {process.returncode}, "
@@ -169,8 +178,13 @@ class Checks:
              f"{len(numbers)} records, {len(set(numbers))} realisations")
 
     def refused(self, what, process, problem, code=2):
-        """Did a process end with three lines that say what is wrong?"""
-        error = process.communicate()[1].strip().split("\n")
+        """Did a process, or a call that has ended, say in three lines what is
+        wrong?"""
+        if isinstance(process, subprocess.Popen):
+            error = process.communicate()[1]
+        else:
+            error = process.stderr
+        error = error.strip().split("\n")
         good = (process.returncode == code and len(error) == 3
                 and problem in " ".join(error[:2])
                 and error[2].startswith("allowed: "))

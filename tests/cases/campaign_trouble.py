@@ -75,8 +75,7 @@ def reproduces(campaign, record, check):
         if name != "Output/Directory":
             words += ["--set", f"{name}={value}"]
     with tempfile.TemporaryDirectory(prefix="waker-") as place:
-        done = subprocess.run(words, env=campaign.environment, cwd=place,
-                              text=True, capture_output=True, check=False)
+        done = campaign.ask(words, cwd=place)
         folder = os.path.join(
             place, f"output-analysis1-realisation-{record['realisation']}")
         check(done.returncode == 0 and os.path.isdir(folder),
@@ -95,11 +94,10 @@ def folders_are_safe(whole, check):
     words = [whole.waker, "run", whole.file, "--realisation", "0",
              "--overwrite", "--set", f"Output/Directory={whole.folder}"]
     before = contents(whole.folder)
-    check.refused("a run in the folder of a campaign", subprocess.Popen(
-        words, text=True, env=whole.environment, stdout=subprocess.DEVNULL,
-        stderr=subprocess.PIPE), whole.folder)
+    check.refused("a run in the folder of a campaign", whole.ask(words),
+                  whole.folder)
     check(contents(whole.folder) == before, "and nothing changed")
-    check.refused("fewer realisations than are there", whole.start(
+    check.refused("fewer realisations than are there", whole.asked(
         "--resume", set={"Campaign/Realisations": N - 1}), str(N))
 
     mine = ["logbook.txt", "journal-of-mine.jsonl", "report/notes.csv"]
@@ -242,7 +240,7 @@ def measurements_gone(make, folder, check):
     os.remove(file)
     check("2 of 2" in campaign.call("status"), "no measurements: status")
     campaign.call("merge")
-    check.refused("no measurements: campaign", campaign.start("--resume"),
+    check.refused("no measurements: campaign", campaign.asked("--resume"),
                   "measured.csv")
 
 
@@ -260,7 +258,7 @@ def unwritable(make, disk, folder, reference, check):
     campaign.run("--realisations", "0:3")
     before = contents(campaign.folder)
     lock()
-    check.refused("unwritable folder", campaign.start("--resume"),
+    check.refused("unwritable folder", campaign.asked("--resume"),
                   campaign.folder)
     unlock()
     check(contents(campaign.folder) == before, "unwritable: nothing changed")
@@ -307,8 +305,8 @@ def other_campaign(whole, folder, check):
     for flags in [("--resume",), ("--chunk", "1/2"),
                   ("--realisations", "0:2")]:
         check.refused(f"folder of another campaign, {flags[0]}",
-                      whole.start(*flags, set=other), whole.folder)
-    check.refused("a campaign that is there", whole.start(), whole.folder)
+                      whole.asked(*flags, set=other), whole.folder)
+    check.refused("a campaign that is there", whole.asked(), whole.folder)
     check(contents(whole.folder) == before, "another campaign: nothing changed")
 
     # A foreign journal in the folder does not get in.
@@ -357,13 +355,10 @@ def wrong_input(make, folder, check):
                 "Snapshots/Realisations": str(N)}, str(N)),
             ("below a file", (), {"Output/Directory": __file__ + "/x"},
              os.path.basename(__file__))]:
-        check.refused(what, campaign.start(*flags, set=settings), problem)
+        check.refused(what, campaign.asked(*flags, set=settings), problem)
     for command in ("status", "merge"):
-        process = subprocess.Popen(
-            [campaign.waker, command, campaign.folder], text=True,
-            env=campaign.environment, stdout=subprocess.DEVNULL,
-            stderr=subprocess.PIPE)
-        check.refused(f"{command} of no folder", process, campaign.folder)
+        check.refused(f"{command} of no folder", campaign.ask(
+            [campaign.waker, command, campaign.folder]), campaign.folder)
     check(contents(folder) == before and not os.path.exists(campaign.folder),
           "wrong input: nothing written")
 

@@ -13,6 +13,7 @@ import tempfile
 import types
 
 import numpy as np
+import program
 from waker_case import Checks
 
 # All are nodal forces over the load: single precision of the files.
@@ -98,10 +99,14 @@ def main():
     waker, source = sys.argv[1:3]
     sys.path.insert(0, os.path.join(source, "contrib", "chapter3"))
     from common import Runs
+    class ServedRuns(Runs):
+        def call(self, arguments):
+            return program.shared(waker).run(arguments)
+
     checks = Checks()
     with tempfile.TemporaryDirectory(prefix="waker-") as folder:
-        runs = Runs(types.SimpleNamespace(waker=waker, runs=folder,
-                                          again=False))
+        runs = ServedRuns(types.SimpleNamespace(waker=waker, runs=folder,
+                                                again=False))
         check_bar(checks, runs)
         check_inclined_bar(checks, runs)
         check_block(checks, runs)

@@ -17,7 +17,8 @@ import tempfile
 import time
 import xml.etree.ElementTree as ElementTree
 
-from campaign_case import Campaign, Checks
+import program
+from campaign_case import Campaign, Checks, finish
 from campaign_trouble import SmallDisk, contents
 
 # Seconds or less each.
@@ -49,7 +50,7 @@ class Folders:
     def path(self, name):
         return os.path.join(self.place, name)
 
-    def start(self, case, folder, *flags, settings=(), cwd=None):
+    def command(self, case, folder, *flags, settings=()):
         command, file, own = case if isinstance(case, tuple) else CASES[case]
         words = [self.waker, command,
                  os.path.join(self.source, "parameters", file), *flags,
@@ -58,17 +59,24 @@ class Folders:
         for path, value in dict(text.split("=", 1)
                                 for text in [*own, *settings]).items():
             words += ["--set", f"{path}={value}"]
+        return words
+
+    def start(self, case, folder, *flags, settings=()):
+        """In the background."""
+        words = self.command(case, folder, *flags, settings=settings)
         return subprocess.Popen(words, text=True, env=self.environment,
-                                cwd=cwd, stdout=subprocess.DEVNULL,
+                                stdout=subprocess.DEVNULL,
                                 stderr=subprocess.PIPE)
 
+    def asked(self, case, folder, *flags, settings=(), cwd=None, check=False):
+        """To its end, without a process to wait for or to kill."""
+        words = self.command(case, folder, *flags, settings=settings)
+        return program.shared(self.waker).run(
+            words[1:], env=self.environment, cwd=cwd, check=check)
+
     def run(self, case, folder, *flags, **more):
-        """To its end. Must succeed."""
-        process = self.start(case, folder, *flags, **more)
-        error = process.communicate()[1]
-        if process.returncode != 0:
-            sys.exit(f"{' '.join(process.args)}\nended with "
-                     f"{process.returncode}:\n{error}")
+        """The same. Must succeed."""
+        self.asked(case, folder, *flags, check=True, **more)
 
 
 def names(folder):
@@ -129,7 +137,7 @@ def links(folders, check):
                os.path.join(folder, "solution"))
     for flag in ("--overwrite", "--resume"):
         check.refused(f"{flag}: solution/ is a link",
-                      folders.start("dyke", folder, flag),
+                      folders.asked("dyke", folder, flag),
                       os.path.join(folder, "solution"))
     os.remove(os.path.join(folder, "solution"))
     os.remove(os.path.join(folder, "statistics"))
@@ -137,7 +145,7 @@ def links(folders, check):
                os.path.join(folder, "statistics"))
     for flag in ("--overwrite", "--resume"):
         check.refused(f"{flag}: statistics is a link",
-                      folders.start("dyke", folder, flag),
+                      folders.asked("dyke", folder, flag),
                       os.path.join(folder, "statistics"))
     check(contents(other) == before, "the other run is as it was")
     # The folder itself may be one.
@@ -173,7 +181,7 @@ def changed_inputs(folders, check):
     folders.run(case, folder, cwd=place)
     before = contents(folder)
     write("bar.txt", "# the same, but not as a file\n" + text)
-    check.refused("--resume with another surface", folders.start(
+    check.refused("--resume with another surface", folders.asked(
         case, folder, "--resume", cwd=place),
                   "contents of Tractions/points/Surface file")
     check(contents(folder) == before, "and nothing changed")
@@ -253,7 +261,7 @@ def two_at_once(folders, check):
         for other in ("dyke", "factor"):
             for flag in ("--overwrite", "--resume"):
                 check.refused(f"{other} {flag}, while {case} runs",
-                              folders.start(other, folder, flag,
+                              folders.asked(other, folder, flag,
                                             settings=long),
                               f"process {first.pid}")
         check(first.poll() is None, "the first one is left alone")
@@ -278,7 +286,7 @@ def two_at_once(folders, check):
     with open(os.path.join(folder, "lock"), "w", encoding="utf-8") as file:
         json.dump({"what": "waker run", "host": "elsewhere", "process": 12,
                    "since": "2026-01-31T12:00:00Z"}, file)
-    check.refused("a lock of another host", folders.start(
+    check.refused("a lock of another host", folders.asked(
         "dyke", folder, "--overwrite"), "process 12 on elsewhere")
 
 
@@ -286,7 +294,8 @@ def killed_reduction(folders, check, rng):
     """kill -9 at random moments; a damaged line of the table."""
     folder = folders.path("killed-factor")
     start = time.monotonic()
-    folders.run("factor", folders.path("timed"))
+    # A process of its own, as those that are killed.
+    finish(folders.start("factor", folders.path("timed")))
     duration = time.monotonic() - start
     flags, kills = [], 0
     for _ in range(6):
@@ -363,7 +372,7 @@ def campaigns(folders, check):
     campaign.wait_for_records(first, 1)
     first.send_signal(signal.SIGSTOP)  # it must not end meanwhile
     check.refused("campaign --overwrite while it runs",
-                  campaign.start("--overwrite"), f"process {first.pid}")
+                  campaign.asked("--overwrite"), f"process {first.pid}")
     check(first.poll() is None, "the campaign is left alone")
     first.send_signal(signal.SIGKILL)
     first.communicate()
@@ -404,11 +413,8 @@ def campaigns(folders, check):
         text = file.read()
     with open(info, "w", encoding="utf-8") as file:
         file.write(text.replace('"water_level": 4', '"water_level": 5', 1))
-    process = subprocess.Popen(
-        [campaign.waker, "merge", campaign.folder], text=True,
-        env=campaign.environment, stdout=subprocess.DEVNULL,
-        stderr=subprocess.PIPE)
-    check.refused("a flipped bit in campaign.json: merge", process, "checksum")
+    check.refused("a flipped bit in campaign.json: merge", campaign.ask(
+        [campaign.waker, "merge", campaign.folder]), "checksum")
     campaign.run("--resume")
     check.same("flipped bits, then resumed", whole.results(),
                campaign.results())

@@ -6,6 +6,8 @@ Not for calls that are killed, that run beside others or under mpirun: those
 are of the program itself.
 """
 
+import atexit
+import functools
 import os
 import struct
 import subprocess
@@ -104,6 +106,14 @@ class Program:
         view = memoryview(data)
         while view:
             view = view[self._server.stdin.write(view):]
+
+
+@functools.lru_cache(maxsize=None)
+def shared(path):
+    """One Program for all that call it, to the end of the test."""
+    program = Program(path)
+    atexit.register(program.close)
+    return program
 
 
 def text(data):
