@@ -24,21 +24,26 @@ CREST = 5.0      # m
 # Slip circles for 13 kPa, by H_i - h (m); None: no water.
 INNER = 1.736
 OUTER = {0.25: 2.67, 0.5: 2.36, 1.0: 1.93, 1.5: 1.64, 2.0: 1.445, None: 1.049}
-READINGS = ("displacement", "width or height")
-COLUMNS = ("cell_m", "freeboard_m", "reading", "circle", "factor", "slope")
+# Volumetric strain and reading, and the cells to show it with.
+VARIANTS = {("standard", "displacement"): (0.25, 0.125),
+            ("standard", "width or height"): (0.25,),
+            ("B-bar", "displacement"): (0.25, 0.125)}
+COLUMNS = ("cell_m", "freeboard_m", "volumetric", "reading", "circle", "factor",
+           "slope")
 
 
 def circle(freeboard):
     return min(INNER, OUTER[freeboard])
 
 
-def factor(work, cell, freeboard, reading):
+def factor(work, cell, freeboard, volumetric, reading):
     water = ({"Water/Side": "none"} if freeboard is None
              else {"Water/Level": CREST - freeboard})
-    name = f"{cell}-{freeboard}-{reading}".replace(" ", "-")
+    name = f"{cell}-{freeboard}-{volumetric}-{reading}".replace(" ", "-")
     sets = {"Grid/Cell size": cell, "Time stepping/Time step": 0.04 * cell,
             **measures.strength(STRENGTH, STRENGTH), **water,
             "Strength reduction/Reading": reading,
+            "Kinematics and mapping/Volumetric strain": volumetric,
             "Strength reduction/Lower factor": 0.9,
             "Strength reduction/Upper factor": 2.2}
     result = work.factor_of_safety(name, CASE, sets)
@@ -63,16 +68,19 @@ def draw(rows):
               linewidth=0.8)
     axes.text(1.0, INNER + 0.02, "inner slope, slip circle", color="grey")
     axes.text(0.3, 2.5, "outer slope, slip circle", color="grey")
-    for cell, reading, marker, colour in (
-            (0.25, "displacement", "o", "C0"), (0.125, "displacement", "s", "C2"),
-            (0.25, "width or height", "x", "C3")):
+    for cell, volumetric, reading, marker, colour in (
+            (0.25, "standard", "displacement", "o", "C0"),
+            (0.125, "standard", "displacement", "s", "C2"),
+            (0.25, "B-bar", "displacement", "^", "C1"),
+            (0.125, "B-bar", "displacement", "v", "C4"),
+            (0.25, "standard", "width or height", "x", "C3")):
         chosen = [row for row in rows if float(row["cell_m"]) == cell
                   and row["reading"] == reading and row["freeboard_m"]
-                  and row["factor"]]
+                  and row["volumetric"] == volumetric and row["factor"]]
         if chosen:
             axes.plot([float(row["freeboard_m"]) for row in chosen],
                       [float(row["factor"]) for row in chosen], marker,
-                      color=colour, label=f"h = {cell:g} m, by {reading}")
+                      color=colour, label=f"{volumetric}, h = {cell:g} m, by {reading}")
     axes.set_xlabel("crest above the water, H_i − h (m)")
     axes.set_ylabel("factor of safety")
     axes.set_ylim(1.3, 2.7)
@@ -90,16 +98,19 @@ def main():
     rows = known(path, cells)
     with workspace(__doc__) as work:
         for cell in cells:
-            for reading in READINGS if cell == 0.25 else READINGS[:1]:
-                print(f"| H_i − h (m) | circle | h = {cell:g} m, {reading} | "
-                      "difference | slope |\n|---|---|---|---|---|")
+            for (volumetric, reading), shown in VARIANTS.items():
+                if cell not in shown:
+                    continue
+                print(f"| H_i − h (m) | circle | h = {cell:g} m, {volumetric}, "
+                      f"{reading} | difference | slope |\n|---|---|---|---|---|")
                 for freeboard in OUTER:
-                    value, slope = factor(work, cell, freeboard, reading)
+                    value, slope = factor(work, cell, freeboard, volumetric,
+                                          reading)
                     expected = circle(freeboard)
                     rows.append(dict(zip(COLUMNS, (
-                        cell, "" if freeboard is None else freeboard, reading,
-                        expected, "" if value is None else round(value, 4),
-                        slope))))
+                        cell, "" if freeboard is None else freeboard,
+                        volumetric, reading, expected,
+                        "" if value is None else round(value, 4), slope))))
                     text = ("none below 2.2 | " if value is None else
                             f"{value:.3f} | {100 * (value / expected - 1):+.1f} %")
                     print(f"| {'no water' if freeboard is None else freeboard} "
@@ -108,7 +119,7 @@ def main():
         writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
         writer.writeheader()
         writer.writerows(sorted(rows, key=lambda row: (
-            float(row["cell_m"]), row["reading"],
+            float(row["cell_m"]), row["volumetric"], row["reading"],
             float(row["freeboard_m"] or np.inf))))
     draw(rows)
 
