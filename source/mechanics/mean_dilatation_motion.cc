@@ -88,6 +88,18 @@ namespace Waker
                    const unsigned int l,
                    double            *f) const
       {
+        // The component c of one node moves by 1: the gradient is g in row c,
+        // and 3 d the difference q of the two dilatations.
+        double M[dim][dim][dim], r[dim][dim];
+        for (unsigned int c = 0; c < dim; ++c)
+          for (unsigned int e = 0; e < dim; ++e)
+            {
+              for (unsigned int k = 0; k < dim; ++k)
+                M[c][e][k] = A[row(c, e)][dim * c + k][l];
+              r[c][e] =
+                A[row(c, e)][dim * dim][l] / 3. + A[n_stresses][dim * c + e][l];
+            }
+        const double pressure = A[n_stresses][dim * dim][l] / 3.;
         stencil.for_each_node(w,
                               {w, stencil.cell_size()},
                               [&](const unsigned int    node,
@@ -95,20 +107,14 @@ namespace Waker
                                   const Tensor<1, dim> &centre) {
                                 for (unsigned int c = 0; c < dim; ++c)
                                   {
-                                    // The component c of this node alone moves
-                                    // by 1.
-                                    const double d = (centre[c] - g[c]) / 3.;
-                                    const auto   answer =
-                                      [&](const unsigned int o) {
-                                        double sum = A[o][dim * dim][l] * d;
-                                        for (unsigned int e = 0; e < dim; ++e)
-                                          sum += A[o][dim * c + e][l] * g[e];
-                                        return sum;
-                                      };
-                                    double sum =
-                                      answer(n_stresses) * (centre[c] - g[c]);
+                                    const double q   = centre[c] - g[c];
+                                    double       sum = q * q * pressure;
                                     for (unsigned int e = 0; e < dim; ++e)
-                                      sum += answer(row(c, e)) * g[e];
+                                      {
+                                        sum += q * r[c][e] * g[e];
+                                        for (unsigned int k = 0; k < dim; ++k)
+                                          sum += g[e] * M[c][e][k] * g[k];
+                                      }
                                     f[dim * node + c] += sum;
                                   }
                               });
