@@ -5,11 +5,14 @@
 #include <waker/mapping/transfer.h>
 #include <waker/mechanics/consistent_tangent.h>
 #include <waker/mechanics/double_mapped_tangent.h>
+#include <waker/mechanics/soil.h>
 #include <waker/mechanics/system_operator.h>
+#include <waker/simulation/scene.h>
 
 #include "dyke.h"
 #include <functional>
 #include <string>
+#include <type_traits>
 
 namespace WakerBenchmarks
 {
@@ -25,7 +28,7 @@ namespace WakerBenchmarks
         , points(dyke.state.points)
         , scene(the_case)
         , stress_update(the_case.materials,
-                        the_case.parameters.mapping.objective_rate)
+                        make_point_motion<dim>(the_case.parameters.mapping))
         , dt(dyke.time_step)
       {
         scene.set(points);
@@ -137,11 +140,23 @@ namespace WakerBenchmarks
       for (const unsigned int dof : removed)
         R.begin()[dof] = 0.;
 
-      Tangent tangent(m.scene.weights);
-      tangent.reinit(m.stress_update, m.points);
-      const Springs        no_springs;
-      const SystemOperator system(
-        tangent, 1., 4. / (m.dt * m.dt), nodes.mass, removed, no_springs);
+      using Consistent = ConsistentTangent<dim>;
+      Soil<dim> soil(m.scene.weights,
+                     StressUpdate<dim>(m.the_case.materials,
+                                       make_point_motion<dim>(
+                                         m.the_case.parameters.mapping)),
+                     std::is_same_v<Tangent, Consistent> ? "consistent"
+                                                         : "double mapping");
+      soil.begin(m.points, nodes, 0., m.dt);
+      NodalVector internal;
+      internal.reinit(nodes.internal_force);
+      soil.add_force(nodes.increment, internal);
+      soil.linearise();
+      const Resistances<dim> resistances = {&soil};
+      ReachedNodes           reached(m.the_case.grid);
+      reached.reinit(nodes.mass);
+      const SystemOperator<dim> system(
+        resistances, 1., 4. / (m.dt * m.dt), nodes.mass, reached, removed);
       LinearSolver solver(m.the_case.grid.n_dofs());
       LinearReport report;
       for (auto _ : timer)

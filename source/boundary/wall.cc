@@ -171,8 +171,7 @@ namespace Waker
 
   template <int dim>
   void
-  Walls<dim>::add_internal_force(const NodalVector &increment,
-                                 NodalVector       &internal) const
+  Walls<dim>::add_force(const NodalVector &increment, NodalVector &internal)
   {
     for (const Contact &contact : contacts)
       scatter(contact, traction(contact, increment), internal);
@@ -181,7 +180,7 @@ namespace Waker
 
   template <int dim>
   void
-  Walls<dim>::add_start_force(NodalVector &internal) const
+  Walls<dim>::add_start_force(NodalVector &internal)
   {
     for (const Contact &contact : contacts)
       scatter(contact, contact.traction, internal);
@@ -206,48 +205,33 @@ namespace Waker
 
   template <int dim>
   void
-  Walls<dim>::for_each_block(
-    const std::function<
-      void(const unsigned int, const unsigned int, const Tensor<2, dim> &)> &f)
-    const
+  Walls<dim>::add_diagonal(NodalVector &diagonal) const
   {
+    // A node may be there twice, with two weights.
     for (const Contact &contact : contacts)
       {
-        const Spot    &spot = spots[contact.spot];
-        Tensor<2, dim> K;
-        for (unsigned int d = 0; d < dim; ++d)
+        const Spot &spot = spots[contact.spot];
+        for (unsigned int c = 0; c < dim; ++c)
           {
             Tensor<1, dim> e;
-            e[d]                     = 1.;
-            const Tensor<1, dim> row = held(spot, e);
-            for (unsigned int c = 0; c < dim; ++c)
-              K[d][c] = walls[spot.wall].stiffness * spot.area * row[c];
+            e[c] = 1.;
+            const double k =
+              walls[spot.wall].stiffness * spot.area * held(spot, e)[c];
+            for (std::size_t i = contact.begin; i < contact.end; ++i)
+              for (std::size_t j = contact.begin; j < contact.end; ++j)
+                if (nodes[i] == nodes[j])
+                  diagonal.begin()[dim * nodes[i] + c] +=
+                    weights[i] * weights[j] * k;
           }
-        for (std::size_t i = contact.begin; i < contact.end; ++i)
-          for (std::size_t j = contact.begin; j < contact.end; ++j)
-            f(nodes[i], nodes[j], weights[i] * weights[j] * K);
       }
   }
 
 
   template <int dim>
-  void
-  Walls<dim>::add_diagonal(NodalVector &diagonal) const
-  {
-    for_each_block(
-      [&](const unsigned int i, const unsigned int j, const Tensor<2, dim> &K) {
-        if (i == j)
-          for (unsigned int c = 0; c < dim; ++c)
-            diagonal.begin()[dim * i + c] += K[c][c];
-      });
-  }
-
-
-  template <int dim>
-  typename Walls<dim>::Work
+  ResistanceWork
   Walls<dim>::work(const NodalVector &increment) const
   {
-    Work sum;
+    ResistanceWork sum;
     for (const Contact &contact : contacts)
       {
         const Tensor<1, dim> du =
@@ -261,13 +245,13 @@ namespace Waker
 
   template <int dim>
   Tensor<1, dim>
-  Walls<dim>::accept(const NodalVector &increment, Tractions &tractions) const
+  Walls<dim>::accept(const NodalVector &increment, MaterialPoints<dim> &)
   {
     Tensor<1, dim> force;
     for (const Contact &contact : contacts)
       {
-        tractions[contact.spot] = traction(contact, increment);
-        force += spots[contact.spot].area * tractions[contact.spot];
+        (*carried)[contact.spot] = traction(contact, increment);
+        force += spots[contact.spot].area * (*carried)[contact.spot];
       }
     return force;
   }

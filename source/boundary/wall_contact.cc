@@ -13,6 +13,7 @@ namespace Waker
                      Tractions                 &tractions)
   {
     AssertDimension(tractions.size(), spots.size());
+    carried = &tractions;
     contacts.clear();
     nodes.clear();
     weights.clear();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/mechanics/energy.h>
+#include <waker/mechanics/time_scheme.h>
 
 namespace Waker
 {
@@ -38,6 +39,26 @@ namespace Waker
   }
 
 
+  template <int dim>
+  EnergyAccount &
+  EnergyAccount::operator+=(const StepReport<dim> &step)
+  {
+    kinetic = step.kinetic_energy;
+    elastic = step.elastic_energy;
+    dissipation += step.dissipation;
+    ramp_work += step.ramp_work;
+    mapping_loss += step.mapping_loss;
+    gravity_work += step.gravity_work;
+    water_work += step.water_work;
+    support_work += step.support_work;
+    return *this;
+  }
+
+
+  template EnergyAccount &
+  EnergyAccount::operator+=(const StepReport<2> &);
+  template EnergyAccount &
+  EnergyAccount::operator+=(const StepReport<3> &);
   template double
   kinetic_energy(const MaterialPoints<2> &);
   template double

@@ -2,7 +2,9 @@
 #include <waker/mapping/stencil.h>
 #include <waker/mechanics/displacement_rate.h>
 #include <waker/mechanics/energy.h>
+#include <waker/mechanics/soil.h>
 #include <waker/mechanics/time_scheme.h>
+#include <waker/nodes/springs.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,12 +20,19 @@ namespace Waker
     public:
       explicit Explicit(const SchemeInput<dim> &in)
         : in(in)
-        , stress_update(in.materials, make_point_motion<dim>(in.mapping))
-        , springs(make_springs(in.fixities,
-                               stiffest_modulus(in.materials),
-                               in.grid.cell_size()))
+        , soil(in.weights,
+               StressUpdate<dim>(in.materials,
+                                 make_point_motion<dim>(in.mapping)),
+               in.newton.tangent)
+        , springs(in.fixities,
+                  stiffest_modulus(in.materials),
+                  in.grid.cell_size())
+        , supports(in.resistances)
         , stretched(in.grid.n_dofs())
-      {}
+      {
+        if (!springs.empty())
+          supports.push_back(&springs);
+      }
 
       double
       time_step(const MaterialPoints<dim> &points) const override
@@ -37,44 +46,73 @@ namespace Waker
 
       StepReport<dim>
       solve(const MaterialPoints<dim> &points,
-            const Weights<dim>        &weights,
             const double               t,
             const double               dt,
             NodalState                &nodes) override;
 
       void
-      update_points(const Weights<dim>  &weights,
-                    const double         t,
-                    const double         dt,
-                    NodalState          &nodes,
-                    MaterialPoints<dim> &points,
-                    StepReport<dim>     &report) override;
+      to_points(const double         t,
+                const double         dt,
+                NodalState          &nodes,
+                MaterialPoints<dim> &points,
+                StepReport<dim>     &report) override;
 
     private:
+      /// Let the supports act on the accelerations of the free motion.
+      void
+      hold(const double dt, NodalState &nodes);
+
       const SchemeInput<dim> in;
-      StressUpdate<dim>      stress_update;
-      const Springs          springs;
+      Soil<dim>              soil;
+      Springs<dim>           springs;
+      Resistances<dim>       supports;  // all but the soil
       NodalVector            stretched; // increments that strain the points, m
       std::vector<double>    removed_increments;
-      std::vector<double>    spring_targets;
     };
+
+
+    template <int dim>
+    void
+    Explicit<dim>::hold(const double dt, NodalState &nodes)
+    {
+      // A spring as stiff as a penalty would need far smaller steps: taken
+      // implicitly, with the diagonal of its stiffness, it needs none.
+      NodalVector force, stiffness, way = nodes.velocity;
+      force.reinit(way);
+      stiffness.reinit(way);
+      way *= dt;
+      for (Resistance<dim> *const support : supports)
+        {
+          support->add_force(way, force);
+          support->add_diagonal(stiffness);
+        }
+      double *const new_a = nodes.new_acceleration.begin();
+      for (std::size_t dof = 0; dof < in.grid.n_dofs(); ++dof)
+        {
+          const double mass = nodes.mass[dof / dim];
+          const double k    = stiffness.begin()[dof];
+          if (mass > 0. && k > 0.)
+            new_a[dof] =
+              (mass * new_a[dof] - force.begin()[dof]) / (mass + k * dt * dt);
+        }
+    }
 
 
     template <int dim>
     StepReport<dim>
     Explicit<dim>::solve(const MaterialPoints<dim> &points,
-                         const Weights<dim>        &weights,
                          const double               t,
                          const double               dt,
                          NodalState                &nodes)
     {
+      soil.begin(points, nodes, t, dt);
+      for (Resistance<dim> *const support : supports)
+        support->begin(points, nodes, t, dt);
       nodes.internal_force = 0.;
-      stress_update.point_motion().add_force_of_stress(points,
-                                                       weights,
-                                                       nodes.internal_force);
-      const double *const internal = nodes.internal_force.begin();
+      soil.add_start_force(nodes.internal_force);
 
       const double        ramp = residual_ramp(t + dt, in.time.ramp_duration);
+      const double *const internal = nodes.internal_force.begin();
       const double *const external = nodes.external_force.begin();
       double *const       v        = nodes.velocity.begin();
       double *const       new_v    = nodes.new_velocity.begin();
@@ -82,7 +120,6 @@ namespace Waker
       double *const       u        = nodes.increment.begin();
 
       in.fixities.removed_increments(t, dt, removed_increments);
-      in.fixities.penalty_increments(t, dt, spring_targets);
       const auto &removed = in.fixities.removed_list();
       for (std::size_t k = 0; k < removed.size(); ++k)
         v[removed[k]] = removed_increments[k] / dt;
@@ -96,18 +133,8 @@ namespace Waker
                 ? ramp * (external[dof] - internal[dof]) / nodes.mass[i]
                 : 0.;
           }
-      // A spring as stiff as a penalty would need far smaller steps: taken
-      // implicitly it needs none.
-      for (std::size_t k = 0; k < springs.dofs.size(); ++k)
-        {
-          const unsigned int dof  = springs.dofs[k];
-          const double       mass = nodes.mass[dof / dim];
-          const double       c    = springs.stiffness[k];
-          if (mass > 0.)
-            new_a[dof] =
-              (mass * new_a[dof] + c * (spring_targets[k] - dt * v[dof])) /
-              (mass + c * dt * dt);
-        }
+      if (!supports.empty())
+        hold(dt, nodes);
       for (const unsigned int dof : removed)
         new_a[dof] = 0.;
 
@@ -129,13 +156,13 @@ namespace Waker
 
     template <int dim>
     void
-    Explicit<dim>::update_points(const Weights<dim> &weights,
-                                 const double,
-                                 const double         dt,
-                                 NodalState          &nodes,
-                                 MaterialPoints<dim> &points,
-                                 StepReport<dim>     &report)
+    Explicit<dim>::to_points(const double,
+                             const double         dt,
+                             NodalState          &nodes,
+                             MaterialPoints<dim> &points,
+                             StepReport<dim>     &report)
     {
+      const Weights<dim> &weights = in.weights;
       const Stencil<dim>  stencil(in.grid);
       const double *const new_a  = nodes.new_acceleration.begin();
       const double *const u      = nodes.increment.begin();
@@ -171,7 +198,11 @@ namespace Waker
           report.reaction[dof % dim] += internal[dof] - external[dof];
           report.support_work += (internal[dof] - external[dof]) * u[dof];
         }
-      add_spring_reaction(springs, spring_targets, nodes, report);
+      for (Resistance<dim> *const support : supports)
+        {
+          report.reaction += support->accept(nodes.increment, points);
+          report.support_work += support->work(nodes.increment).mean();
+        }
       for (std::size_t i = 0; i < nodes.mass.size(); ++i)
         {
           report.gravity_work -= nodes.mass[i] * in.gravity * u[dim * i + 1];
@@ -180,8 +211,10 @@ namespace Waker
         }
       report.water_work -= report.gravity_work;
 
-      stress_update.evaluate(points, weights, stretched, nodes.internal_force);
-      const StressReport stress  = stress_update.accept(points);
+      nodes.internal_force = 0.;
+      soil.add_force(stretched, nodes.internal_force);
+      soil.accept(stretched, points);
+      const StressReport &stress = soil.report();
       report.mean_plastic_strain = stress.plastic_strain;
       report.displacement_rate   = displacement_rate(displacement, mass, dt);
       report.dissipation         = stress.dissipation;

@@ -17,19 +17,24 @@ namespace Waker
   template <int dim>
   GhostStiffness<dim>::GhostStiffness(const BackgroundGrid<dim> &grid,
                                       const Fixities<dim>       &fixities,
-                                      const double               stiffness)
+                                      const double               stiffness,
+                                      const double               full_node_mass)
     : grid(&grid)
     , fixities(&fixities)
     , k(stiffness * std::pow(grid.cell_size(), dim - 2))
+    , full_node_mass(full_node_mass)
   {}
 
 
   template <int dim>
   void
-  GhostStiffness<dim>::reinit(const std::vector<double> &mass,
-                              const double               full_node_mass)
+  GhostStiffness<dim>::begin(const MaterialPoints<dim> &,
+                             const NodalState &nodes,
+                             const double,
+                             const double)
   {
-    const double limit = hardly_touched * full_node_mass;
+    const std::vector<double> &mass  = nodes.mass;
+    const double               limit = hardly_touched * full_node_mass;
     rows.clear();
     for (unsigned int node = 0; node < mass.size(); ++node)
       {
@@ -73,10 +78,10 @@ namespace Waker
 
   template <int dim>
   void
-  GhostStiffness<dim>::vmult_add(NodalVector &force, const NodalVector &u) const
+  GhostStiffness<dim>::vmult_add(NodalVector &dst, const NodalVector &src) const
   {
-    const double *const x = u.begin();
-    double *const       f = force.begin();
+    const double *const x = src.begin();
+    double *const       f = dst.begin();
     for (const Row &row : rows)
       {
         const unsigned int i = row.middle, s = row.distance;
@@ -99,6 +104,30 @@ namespace Waker
         d[row.middle] += 4. * k;
         d[row.middle + row.distance] += k;
       }
+  }
+
+
+  template <int dim>
+  Tensor<1, dim>
+  GhostStiffness<dim>::accept(const NodalVector &, MaterialPoints<dim> &)
+  {
+    return Tensor<1, dim>(); // each spring's forces are in balance
+  }
+
+
+  template <int dim>
+  ResistanceWork
+  GhostStiffness<dim>::work(const NodalVector &increment) const
+  {
+    const double *const u   = increment.begin();
+    double              sum = 0.;
+    for (const Row &row : rows)
+      {
+        const unsigned int i = row.middle, s = row.distance;
+        const double       bend = u[i - s] - 2. * u[i] + u[i + s];
+        sum += k * bend * bend;
+      }
+    return {0., -sum};
   }
 
 

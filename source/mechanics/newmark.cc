@@ -1,79 +1,56 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/mapping/transfer.h>
 #include <waker/mechanics/displacement_rate.h>
-#include <waker/mechanics/time_scheme.h>
-
-#include <cmath>
+#include <waker/mechanics/implicit_scheme.h>
 
 namespace Waker
 {
   namespace
   {
     template <int dim>
-    class Newmark : public TimeScheme<dim>
+    class Newmark : public ImplicitScheme<dim>
     {
     public:
       explicit Newmark(const SchemeInput<dim> &in)
-        : in(in)
-        , stress_update(in.materials, make_point_motion<dim>(in.mapping))
-        , springs(make_springs(in.fixities,
-                               stiffest_modulus(in.materials),
-                               in.grid.cell_size()))
-        , newton(in.weights,
-                 in.fixities,
-                 in.newton,
-                 in.full_node_mass,
-                 springs,
-                 LinearMethod::krylov,
-                 in.walls)
-        , reached(in.grid)
+        : ImplicitScheme<dim>(in, LinearMethod::krylov)
         , history(in.grid.n_dofs())
       {}
 
-      double
-      time_step(const MaterialPoints<dim> &) const override
-      {
-        return in.time.time_step;
-      }
+    protected:
+      using typename ImplicitScheme<dim>::Inertia;
+      using ImplicitScheme<dim>::in;
+      using ImplicitScheme<dim>::reached;
+      using ImplicitScheme<dim>::removed_increments;
 
-      StepReport<dim>
-      solve(const MaterialPoints<dim> &points,
-            const Weights<dim>        &weights,
-            const double               t,
-            const double               dt,
-            NodalState                &nodes) override;
+      Inertia
+      begin(const double t, const double dt, NodalState &nodes) override;
 
       void
-      update_points(const Weights<dim>  &weights,
-                    const double         t,
-                    const double         dt,
-                    NodalState          &nodes,
-                    MaterialPoints<dim> &points,
-                    StepReport<dim>     &report) override;
+      move_nodes(const double dt, NodalState &nodes) const override;
+
+      void
+      move_points(const double         dt,
+                  const NodalState    &nodes,
+                  MaterialPoints<dim> &points,
+                  StepReport<dim>     &report) override;
+
+      void
+      add_works(const double          t,
+                const double          dt,
+                const NodalState     &nodes,
+                const ResistanceWork &internal,
+                StepReport<dim>      &report) override;
 
     private:
-      const SchemeInput<dim> in;
-      StressUpdate<dim>      stress_update;
-      const Springs          springs;
-      NewtonSolver<dim>      newton;
-      ReachedNodes           reached;
-      NodalVector            history; // 4 v / dt + a, m/s^2
-      std::vector<double>    removed_increments;
-      std::vector<double>    spring_targets;
+      NodalVector    history; // 4 v / dt + a, m/s^2
+      TransferReport moved;   // of the step
     };
 
 
     template <int dim>
-    StepReport<dim>
-    Newmark<dim>::solve(const MaterialPoints<dim> &points,
-                        const Weights<dim> &,
-                        const double t,
-                        const double dt,
-                        NodalState  &nodes)
+    typename Newmark<dim>::Inertia
+    Newmark<dim>::begin(const double t, const double dt, NodalState &nodes)
     {
-      in.fixities.removed_increments(t, dt, removed_increments);
-      in.fixities.penalty_increments(t, dt, spring_targets);
-
       // A support moves at constant velocity through the step.
       double *const v       = nodes.velocity.begin();
       double *const a       = nodes.acceleration.begin();
@@ -87,63 +64,63 @@ namespace Waker
       double *const u     = nodes.increment.begin();
       double *const q     = history.begin();
       const double  share = in.newton.predictor ? 1. : 0.;
-      nodes.increment     = 0.;
-      reached.reinit(nodes.mass);
       for (const auto &run : reached)
         for (std::size_t i = dim * run.begin; i < dim * run.end; ++i)
           {
             q[i] = 4. / dt * v[i] + a[i];
             u[i] = share * (dt * v[i] + 0.5 * dt * dt * a[i]);
           }
-      for (std::size_t k = 0; k < removed.size(); ++k)
-        u[removed[k]] = removed_increments[k];
 
-      typename NewtonSolver<dim>::Inertia inertia;
+      Inertia inertia;
       inertia.ramp    = residual_ramp(t + dt, in.time.ramp_duration);
       inertia.factor  = 4. / (dt * dt);
       inertia.history = &history;
-      const NewtonReport newton_report =
-        newton.solve(points, inertia, spring_targets, stress_update, nodes);
+      return inertia;
+    }
 
-      StepReport<dim> report;
-      report.converged         = newton_report.converged;
-      report.newton_iterations = newton_report.iterations;
-      report.linear_iterations = newton_report.linear_iterations;
-      report.residuals         = newton_report.residuals;
 
-      double *const new_v    = nodes.new_velocity.begin();
-      double *const new_a    = nodes.new_acceleration.begin();
-      nodes.new_velocity     = 0.;
-      nodes.new_acceleration = 0.;
+    template <int dim>
+    void
+    Newmark<dim>::move_nodes(const double dt, NodalState &nodes) const
+    {
+      const double *const u     = nodes.increment.begin();
+      const double *const v     = nodes.velocity.begin();
+      const double *const q     = history.begin();
+      double *const       new_v = nodes.new_velocity.begin();
+      double *const       new_a = nodes.new_acceleration.begin();
+      nodes.new_velocity        = 0.;
+      nodes.new_acceleration    = 0.;
       for (const auto &run : reached)
         for (std::size_t i = dim * run.begin; i < dim * run.end; ++i)
           {
             new_v[i] = 2. / dt * u[i] - v[i];        // eq. 2.21
             new_a[i] = 4. / (dt * dt) * u[i] - q[i]; // eq. 2.20
           }
-      return report;
     }
 
 
     template <int dim>
     void
-    Newmark<dim>::update_points(const Weights<dim>  &weights,
-                                const double         t,
-                                const double         dt,
-                                NodalState          &nodes,
-                                MaterialPoints<dim> &points,
-                                StepReport<dim>     &report)
+    Newmark<dim>::move_points(const double         dt,
+                              const NodalState    &nodes,
+                              MaterialPoints<dim> &points,
+                              StepReport<dim>     &report)
     {
-      const StressReport   stress = stress_update.accept(points);
-      const TransferReport moved  = to_particles(nodes, weights, dt, points);
-
-      report.mean_plastic_strain = stress.plastic_strain;
+      moved = to_particles(nodes, in.weights, dt, points);
       report.displacement_rate =
         displacement_rate(moved.squared_displacement, moved.mass, dt);
-      report.dissipation    = stress.dissipation;
-      report.elastic_energy = stress.elastic_energy;
       report.kinetic_energy = moved.kinetic_after;
+    }
 
+
+    template <int dim>
+    void
+    Newmark<dim>::add_works(const double          t,
+                            const double          dt,
+                            const NodalState     &nodes,
+                            const ResistanceWork &internal_work,
+                            StepReport<dim>      &report)
+    {
       // Work of the external and inertial forces over the step, and kinetic
       // energy of the nodes at its start and end.
       const double *const u        = nodes.increment.begin();
@@ -174,23 +151,18 @@ namespace Waker
       report.water_work =
         0.5 * (start_work + external_work) - report.gravity_work;
 
-      typename Walls<dim>::Work wall;
-      if (in.walls != nullptr)
-        wall = in.walls->work(nodes.increment);
-
       const double r_start = residual_ramp(t, in.time.ramp_duration);
       const double r_end   = residual_ramp(t + dt, in.time.ramp_duration);
       report.ramp_work =
-        0.5 * ((1. - r_start) * (start_work + wall.start - stress.work_start) +
-               (1. - r_end) * (external_work + wall.end - stress.work_end));
+        0.5 * ((1. - r_start) * (start_work + internal_work.start) +
+               (1. - r_end) * (external_work + internal_work.end));
       // What the way from points to nodes and back takes: kinetic energy, and
       // the work that the force at the start would have done over the work of
       // the acceleration that the nodes were given instead.
       report.mapping_loss =
         (moved.kinetic_before - kinetic_before) +
         (kinetic_after - report.kinetic_energy) +
-        0.5 * (r_start * (start_work + wall.start - stress.work_start) -
-               inertia_work);
+        0.5 * (r_start * (start_work + internal_work.start) - inertia_work);
 
       const double *const new_a = nodes.new_acceleration.begin();
       for (const unsigned int dof : in.fixities.removed_list())
@@ -200,7 +172,6 @@ namespace Waker
           report.reaction[dof % dim] += internal[dof] - external[dof];
           report.support_work += force * u[dof];
         }
-      add_spring_reaction(springs, spring_targets, nodes, report);
     }
   } // namespace
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/mechanics/newton.h>
-#include <waker/nodes/operator_sum.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 namespace Waker
 {
@@ -21,79 +19,76 @@ namespace Waker
     /// the softest motion that counts, the bending of a slender body: 1e-7.
     constexpr double relative_shift = 1e-10;
 
+    /// Added to that of a linear body, whose iterations take it away again.
+    constexpr double elastic_shift = 1e-6;
+
     /// More of the residual than this in motions without stiffness is no
     /// matter of hardly touched nodes.
     constexpr double unsolvable_limit = 1e-4;
 
 
-    /// A stiffness that conjugate gradients may try, though it is only nearly
-    /// symmetric.
-    class SymmetricOperator : public Operator
+    template <int dim>
+    bool
+    has_role(const Resistances<dim>              &resistances,
+             const typename Resistance<dim>::Role role)
     {
-    public:
-      explicit SymmetricOperator(const Operator &A)
-        : A(A)
-      {}
-
-      void
-      vmult(NodalVector &dst, const NodalVector &src) const override
-      {
-        A.vmult(dst, src);
-      }
-
-      void
-      add_diagonal(NodalVector &diagonal) const override
-      {
-        A.add_diagonal(diagonal);
-      }
-
-      bool
-      is_symmetric() const override
-      {
-        return true;
-      }
-
-    private:
-      const Operator &A;
-    };
+      return std::any_of(resistances.begin(),
+                         resistances.end(),
+                         [&](const Resistance<dim> *const r) {
+                           return r->role() == role;
+                         });
+    }
   } // namespace
 
 
   template <int dim>
-  NewtonSolver<dim>::NewtonSolver(const Weights<dim>        &weights,
+  NewtonSolver<dim>::NewtonSolver(const BackgroundGrid<dim> &grid,
                                   const Fixities<dim>       &fixities,
                                   const NewtonParameters    &parameters,
                                   const double               full_node_mass,
-                                  const Springs             &springs,
-                                  const LinearMethod         method,
-                                  const Walls<dim>          *walls,
-                                  const GhostStiffness<dim> *ghost)
+                                  const LinearMethod         method)
     : fixities(&fixities)
     , parameters(parameters)
     , full_node_mass(full_node_mass)
-    , springs(springs)
-    , consistent(weights)
-    , double_mapped(weights)
-    , linear_solver(weights.background_grid().n_dofs())
-    , reached(weights.background_grid())
-    , R(weights.background_grid().n_dofs())
-    , correction(weights.background_grid().n_dofs())
     , method(method)
-    , walls(walls)
-    , wall_force(walls != nullptr ? weights.background_grid().n_dofs() : 0)
-    , ghost(ghost)
+    , linear_solver(grid.n_dofs())
+    , reached(grid)
+    , R(grid.n_dofs())
+    , correction(grid.n_dofs())
   {
-    if (dim == 2 && method == LinearMethod::direct)
-      direct_solver =
-        std::make_unique<DirectSolver<dim>>(weights.background_grid());
+    if (dim == 2 && method != LinearMethod::krylov)
+      direct_solver = std::make_unique<DirectSolver<dim>>(grid);
+  }
+
+
+  template <int dim>
+  void
+  NewtonSolver<dim>::set_forces(const Resistances<dim> &resistances,
+                                NodalState             &nodes)
+  {
+    using Role           = typename Resistance<dim>::Role;
+    nodes.internal_force = 0.;
+    if (load_force.size() > 0)
+      load_force = 0.;
+    if (support_force.size() > 0)
+      support_force = 0.;
+    const auto add = [&](const Role role, NodalVector &force) {
+      for (Resistance<dim> *const resistance : resistances)
+        if (resistance->role() == role)
+          resistance->add_force(nodes.increment, force);
+    };
+    add(Role::body, nodes.internal_force);
+    add(Role::load, load_force);
+    if (load_force.size() > 0)
+      nodes.internal_force += load_force;
+    add(Role::remedy, nodes.internal_force);
+    add(Role::support, support_force);
   }
 
 
   template <int dim>
   double
-  NewtonSolver<dim>::residual(const Inertia             &inertia,
-                              const std::vector<double> &spring_targets,
-                              const NodalState          &nodes)
+  NewtonSolver<dim>::residual(const Inertia &inertia, const NodalState &nodes)
   {
     const double *const external = nodes.external_force.begin();
     const double *const internal = nodes.internal_force.begin();
@@ -112,12 +107,8 @@ namespace Waker
             if (q != nullptr)
               r[dof] -= nodes.mass[i] * (inertia.factor * u[dof] - q[dof]);
           }
-    for (std::size_t k = 0; k < springs.dofs.size(); ++k)
-      {
-        const unsigned int dof = springs.dofs[k];
-        if (nodes.mass[dof / dim] > 0.)
-          r[dof] -= springs.stiffness[k] * (u[dof] - spring_targets[k]);
-      }
+    if (support_force.size() > 0)
+      R -= support_force;
     for (const unsigned int dof : fixities->removed_list())
       r[dof] = 0.;
 
@@ -147,13 +138,13 @@ namespace Waker
                 }
             }
         }
-    // With walls the internal force is less theirs, and may be nothing else.
-    if (walls != nullptr)
+    // The internal force is less that of the loads, and may be nothing else.
+    if (load_force.size() > 0)
       for (const auto &run : reached)
         for (std::size_t i = run.begin; i < run.end; ++i)
           for (unsigned int c = 0; c < dim; ++c)
             {
-              const double force = wall_force.begin()[dim * i + c];
+              const double force = load_force.begin()[dim * i + c];
               const double square =
                 std::min(1., nodes.mass[i] * inverse_full) * force * force;
               terms += square;
@@ -186,31 +177,24 @@ namespace Waker
 
   template <int dim>
   LinearReport
-  NewtonSolver<dim>::solve_linear(const Operator   &stiffness,
-                                  const Inertia    &inertia,
-                                  const NodalState &nodes,
-                                  const bool        first,
-                                  const double      norm)
+  NewtonSolver<dim>::solve_linear(const Resistances<dim> &resistances,
+                                  const Inertia          &inertia,
+                                  const NodalState       &nodes,
+                                  const bool              first,
+                                  const double            norm)
   {
-    std::optional<OperatorSum<Walls<dim>>> walled;
-    if (walls != nullptr)
-      walled.emplace(stiffness, *walls);
-    const Operator &soil =
-      walled ? static_cast<const Operator &>(*walled) : stiffness;
-    std::optional<OperatorSum<GhostStiffness<dim>>> ghosted;
-    if (ghost != nullptr)
-      ghosted.emplace(soil, *ghost);
-    const SystemOperator system(ghosted
-                                  ? static_cast<const Operator &>(*ghosted)
-                                  : soil,
-                                inertia.ramp,
-                                inertia.factor,
-                                nodes.mass,
-                                fixities->removed_list(),
-                                springs);
+    const SystemOperator<dim> system(resistances,
+                                     inertia.ramp,
+                                     inertia.factor,
+                                     nodes.mass,
+                                     reached,
+                                     fixities->removed_list());
+    const bool                is_elastic = method == LinearMethod::elastic;
     if (direct_solver)
       {
-        direct_solver->factorise(system, relative_shift);
+        if (first || !is_elastic)
+          direct_solver->factorise(system,
+                                   is_elastic ? elastic_shift : relative_shift);
         direct_solver->solve(correction, R);
         return {1, true};
       }
@@ -219,51 +203,40 @@ namespace Waker
       linear_solver.prepare(system);
     // A correction need not be better than the convergence it leads to.
     const double reduction =
-      std::min(std::max(parameters.linear_tolerance,
-                        linear_margin * parameters.tolerance / norm),
-               0.5);
-    if (method == LinearMethod::direct)
-      return linear_solver.solve(SymmetricOperator(system),
-                                 correction,
-                                 R,
-                                 reduction,
-                                 parameters.maximum_linear_iterations);
-    return linear_solver.solve(
-      system, correction, R, reduction, parameters.maximum_linear_iterations);
+      is_elastic
+        ? parameters.linear_tolerance
+        : std::min(std::max(parameters.linear_tolerance,
+                            linear_margin * parameters.tolerance / norm),
+                   0.5);
+    const auto solve = [&](const Operator &A) {
+      return linear_solver.solve(
+        A, correction, R, reduction, parameters.maximum_linear_iterations);
+    };
+    if (method == LinearMethod::krylov)
+      return solve(system);
+    return solve(StaticOperator(system, R, is_elastic ? elastic_shift : 0.));
   }
 
 
   template <int dim>
   NewtonReport
-  NewtonSolver<dim>::solve(const MaterialPoints<dim> &points,
-                           const Inertia             &inertia,
-                           const std::vector<double> &spring_targets,
-                           StressUpdate<dim>         &stress_update,
-                           NodalState                &nodes)
+  NewtonSolver<dim>::solve(const Resistances<dim> &resistances,
+                           const Inertia          &inertia,
+                           NodalState             &nodes)
   {
-    const bool      use_consistent = parameters.tangent == "consistent";
-    const Operator &stiffness =
-      use_consistent ? static_cast<const Operator &>(consistent)
-                     : static_cast<const Operator &>(double_mapped);
-    const Weights<dim> &weights = consistent.point_weights();
+    using Role        = typename Resistance<dim>::Role;
+    const auto n_dofs = [&](const Role role) {
+      return has_role(resistances, role) ? R.size() : 0;
+    };
+    load_force.reinit(n_dofs(Role::load));
+    support_force.reinit(n_dofs(Role::support));
     reached.reinit(nodes.mass);
     R = 0.;
     NewtonReport report;
     while (true)
       {
-        stress_update.evaluate(points,
-                               weights,
-                               nodes.increment,
-                               nodes.internal_force);
-        if (walls != nullptr)
-          {
-            wall_force = 0.;
-            walls->add_internal_force(nodes.increment, wall_force);
-            nodes.internal_force += wall_force;
-          }
-        if (ghost != nullptr)
-          ghost->vmult_add(nodes.internal_force, nodes.increment);
-        const double norm = residual(inertia, spring_targets, nodes);
+        set_forces(resistances, nodes);
+        const double norm = residual(inertia, nodes);
         report.residuals.push_back(norm);
         if (norm <= parameters.tolerance)
           {
@@ -274,15 +247,16 @@ namespace Waker
         if (!(norm < 1e6) || report.iterations == parameters.maximum_iterations)
           return report;
 
-        if (use_consistent)
-          consistent.reinit(stress_update, points);
-        else
-          double_mapped.reinit(stress_update, points);
+        const bool first = report.iterations == 0;
+        if (first || method != LinearMethod::elastic)
+          for (Resistance<dim> *const resistance : resistances)
+            resistance->linearise();
         const LinearReport linear =
-          solve_linear(stiffness, inertia, nodes, report.iterations == 0, norm);
+          solve_linear(resistances, inertia, nodes, first, norm);
         report.linear_iterations += linear.iterations;
         ++report.iterations;
-        if (direct_solver && norm < unsolvable_limit &&
+        if (direct_solver && method == LinearMethod::direct &&
+            norm < unsolvable_limit &&
             norm_of_residual(nodes.mass) <= parameters.tolerance)
           {
             report.residuals.push_back(norm_of_residual(nodes.mass));

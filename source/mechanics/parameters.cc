@@ -5,6 +5,7 @@
 #include <waker/base/errors.h>
 #include <waker/base/numbers.h>
 #include <waker/mechanics/parameters.h>
+#include <waker/mechanics/time_scheme.h>
 
 namespace Waker
 {
@@ -247,7 +248,7 @@ namespace Waker
                     const GravityParameters &gravity,
                     const MappingParameters &mapping)
   {
-    if (time.scheme != "quasi-static")
+    if (scheme_traits(time).has_inertia)
       return;
     if (time.load_duration > 0. && gravity.initial_stress)
       throw UserError("Time stepping/Load duration",

@@ -1,60 +1,54 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/mapping/stencil.h>
 #include <waker/mechanics/displacement_rate.h>
-#include <waker/mechanics/time_scheme.h>
-
-#include <algorithm>
-#include <cmath>
+#include <waker/mechanics/ghost_stiffness.h>
+#include <waker/mechanics/implicit_scheme.h>
 
 namespace Waker
 {
   namespace
   {
     template <int dim>
-    class QuasiStatic : public TimeScheme<dim>
+    class QuasiStatic : public ImplicitScheme<dim>
     {
     public:
       explicit QuasiStatic(const SchemeInput<dim> &in)
-        : in(in)
-        , stress_update(in.materials, make_point_motion<dim>(in.mapping))
-        , springs(make_springs(in.fixities,
-                               stiffest_modulus(in.materials),
-                               in.grid.cell_size()))
+        : ImplicitScheme<dim>(in,
+                              in.is_elastic ? LinearMethod::elastic
+                                            : LinearMethod::direct)
         , ghost(in.grid,
                 in.fixities,
-                in.time.ghost_stiffness * stiffest_modulus(in.materials))
-        , newton(in.weights,
-                 in.fixities,
-                 in.newton,
-                 in.full_node_mass,
-                 springs,
-                 LinearMethod::direct,
-                 in.walls,
-                 in.time.ghost_stiffness > 0. ? &ghost : nullptr)
-        , reached(in.grid)
+                in.time.ghost_stiffness * stiffest_modulus(in.materials),
+                in.full_node_mass)
         , start_force(in.grid.n_dofs())
-      {}
-
-      double
-      time_step(const MaterialPoints<dim> &) const override
       {
-        return in.time.time_step;
+        if (in.time.ghost_stiffness > 0.)
+          this->add_resistance(ghost);
       }
 
-      StepReport<dim>
-      solve(const MaterialPoints<dim> &points,
-            const Weights<dim>        &weights,
-            const double               t,
-            const double               dt,
-            NodalState                &nodes) override;
+    protected:
+      using typename ImplicitScheme<dim>::Inertia;
+      using ImplicitScheme<dim>::in;
+      using ImplicitScheme<dim>::reached;
+
+      Inertia
+      begin(const double t, const double dt, NodalState &nodes) override;
 
       void
-      update_points(const Weights<dim>  &weights,
-                    const double         t,
-                    const double         dt,
-                    NodalState          &nodes,
-                    MaterialPoints<dim> &points,
-                    StepReport<dim>     &report) override;
+      move_nodes(const double dt, NodalState &nodes) const override;
+
+      void
+      move_points(const double         dt,
+                  const NodalState    &nodes,
+                  MaterialPoints<dim> &points,
+                  StepReport<dim>     &report) override;
+
+      void
+      add_works(const double          t,
+                const double          dt,
+                const NodalState     &nodes,
+                const ResistanceWork &internal,
+                StepReport<dim>      &report) override;
 
     private:
       /// Share of weight and loads that acts at t.
@@ -64,104 +58,47 @@ namespace Waker
         return residual_ramp(t, in.time.load_duration);
       }
 
-      /// Carry the motion to the points.
-      void
-      move(const Weights<dim>  &weights,
-           const double         dt,
-           const NodalState    &nodes,
-           MaterialPoints<dim> &points,
-           StepReport<dim>     &report) const;
-
-      /// The works of the step.
-      void
-      add_works(const double      t,
-                const double      dt,
-                const NodalState &nodes,
-                StepReport<dim>  &report);
-
-      const SchemeInput<dim> in;
-      StressUpdate<dim>      stress_update;
-      const Springs          springs;
-      GhostStiffness<dim>    ghost;
-      NewtonSolver<dim>      newton;
-      ReachedNodes           reached;
-      NodalVector            start_force; // internal, at the start, kN
-      std::vector<double>    removed_increments;
-      std::vector<double>    spring_targets;
+      GhostStiffness<dim> ghost;
+      NodalVector         start_force; // internal, at the start, kN
     };
 
 
     template <int dim>
-    StepReport<dim>
-    QuasiStatic<dim>::solve(const MaterialPoints<dim> &points,
-                            const Weights<dim>        &weights,
-                            const double               t,
-                            const double               dt,
-                            NodalState                &nodes)
+    typename QuasiStatic<dim>::Inertia
+    QuasiStatic<dim>::begin(const double t, const double dt, NodalState &)
     {
-      in.fixities.removed_increments(t, dt, removed_increments);
-      in.fixities.penalty_increments(t, dt, spring_targets);
-      reached.reinit(nodes.mass);
-      ghost.reinit(nodes.mass, in.full_node_mass);
-
-      nodes.increment = 0.;
-      stress_update.evaluate(points, weights, nodes.increment, start_force);
-      if (in.walls != nullptr)
-        in.walls->add_start_force(start_force);
-
-      const auto &removed = in.fixities.removed_list();
-      for (std::size_t k = 0; k < removed.size(); ++k)
-        nodes.increment.begin()[removed[k]] = removed_increments[k];
-      typename NewtonSolver<dim>::Inertia inertia;
+      start_force = 0.;
+      for (Resistance<dim> *const resistance : this->resistances)
+        resistance->add_start_force(start_force);
+      Inertia inertia;
       inertia.load = load_factor(t + dt);
-      const NewtonReport newton_report =
-        newton.solve(points, inertia, spring_targets, stress_update, nodes);
+      return inertia;
+    }
 
-      StepReport<dim> report;
-      report.converged         = newton_report.converged;
-      report.newton_iterations = newton_report.iterations;
-      report.linear_iterations = newton_report.linear_iterations;
-      report.residuals         = newton_report.residuals;
 
+    template <int dim>
+    void
+    QuasiStatic<dim>::move_nodes(const double dt, NodalState &nodes) const
+    {
       nodes.new_velocity = nodes.increment;
-      nodes.new_velocity *= 1. / dt;
+      nodes.new_velocity *= dt > 0. ? 1. / dt : 0.;
       nodes.new_acceleration = 0.;
-      return report;
     }
 
 
     template <int dim>
     void
-    QuasiStatic<dim>::update_points(const Weights<dim>  &weights,
-                                    const double         t,
-                                    const double         dt,
-                                    NodalState          &nodes,
-                                    MaterialPoints<dim> &points,
-                                    StepReport<dim>     &report)
+    QuasiStatic<dim>::move_points(const double         dt,
+                                  const NodalState    &nodes,
+                                  MaterialPoints<dim> &points,
+                                  StepReport<dim>     &report)
     {
-      const StressReport stress  = stress_update.accept(points);
-      report.mean_plastic_strain = stress.plastic_strain;
-      report.dissipation         = stress.dissipation;
-      report.elastic_energy      = stress.elastic_energy;
-      move(weights, dt, nodes, points, report);
-      add_works(t, dt, nodes, report);
-    }
-
-
-    template <int dim>
-    void
-    QuasiStatic<dim>::move(const Weights<dim>  &weights,
-                           const double         dt,
-                           const NodalState    &nodes,
-                           MaterialPoints<dim> &points,
-                           StepReport<dim>     &report) const
-    {
-      const Stencil<dim>  stencil(weights.background_grid());
+      const Stencil<dim>  stencil(in.grid);
       const double *const u      = nodes.increment.begin();
       double              square = 0., mass = 0.;
       for (std::size_t p = 0; p < points.n_points(); ++p)
         {
-          const Tensor<1, dim> du = stencil.value(weights[p], u);
+          const Tensor<1, dim> du = stencil.value(in.weights[p], u);
           square += points.mass[p] * du.norm_square();
           mass += points.mass[p];
           points.acceleration[p] = 0.;
@@ -180,12 +117,13 @@ namespace Waker
     QuasiStatic<dim>::add_works(const double      t,
                                 const double      dt,
                                 const NodalState &nodes,
-                                StepReport<dim>  &report)
+                                const ResistanceWork &,
+                                StepReport<dim> &report)
     {
       const double *const u        = nodes.increment.begin();
       const double *const external = nodes.external_force.begin();
       const double *const internal = nodes.internal_force.begin();
-      double *const       start    = start_force.begin();
+      const double *const start    = start_force.begin();
       const double *const before =
         nodes.start_force.size() > 0 ? nodes.start_force.begin() : external;
 
@@ -217,14 +155,6 @@ namespace Waker
               else
                 report.mapping_loss += 0.5 * start_gap * u[dof];
             }
-      add_spring_reaction(springs, spring_targets, nodes, report);
-      if (in.time.ghost_stiffness > 0.)
-        {
-          // It keeps no energy: what it takes in a step is lost.
-          start_force = 0.;
-          ghost.vmult_add(start_force, nodes.increment);
-          report.mapping_loss += 0.5 * (start_force * nodes.increment);
-        }
     }
   } // namespace
 

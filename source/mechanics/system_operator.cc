@@ -10,82 +10,100 @@
 namespace Waker
 {
   template <int dim>
-  Springs
-  make_springs(const Fixities<dim> &fixities,
-               const double         modulus,
-               const double         h)
-  {
-    Springs springs;
-    for (const auto &penalty : fixities.penalties())
-      {
-        springs.dofs.push_back(penalty.dof);
-        springs.stiffness.push_back(penalty.factor * modulus *
-                                    std::pow(h, dim - 2));
-      }
-    return springs;
-  }
-
-
-  template Springs
-  make_springs(const Fixities<2> &, const double, const double);
-  template Springs
-  make_springs(const Fixities<3> &, const double, const double);
-
-
-  SystemOperator::SystemOperator(const Operator                  &stiffness,
-                                 const double                     ramp,
-                                 const double                     inertia,
-                                 const std::vector<double>       &mass,
-                                 const std::vector<unsigned int> &removed,
-                                 const Springs                   &springs)
-    : stiffness(&stiffness)
+  SystemOperator<dim>::SystemOperator(const Resistances<dim>    &resistances,
+                                      const double               ramp,
+                                      const double               inertia,
+                                      const std::vector<double> &mass,
+                                      const ReachedNodes        &reached,
+                                      const std::vector<unsigned int> &removed)
+    : resistances(&resistances)
     , ramp(ramp)
     , inertia(inertia)
     , mass(&mass)
+    , reached(&reached)
     , removed(&removed)
-    , springs(&springs)
   {}
 
 
+  template <int dim>
   void
-  SystemOperator::vmult(NodalVector &dst, const NodalVector &src) const
+  SystemOperator<dim>::vmult(NodalVector &dst, const NodalVector &src) const
   {
-    stiffness->vmult(dst, src);
-    double *const       y       = dst.begin();
-    const double *const x       = src.begin();
-    const std::size_t   n_nodes = mass->size();
-    const unsigned int  dim     = dst.locally_owned_size() / n_nodes;
-    const double *const m       = mass->data();
-    if (dim == 2)
-      for (std::size_t i = 0; i < n_nodes; ++i)
-        for (unsigned int c = 0; c < 2; ++c)
-          y[2 * i + c] = ramp * y[2 * i + c] + inertia * m[i] * x[2 * i + c];
-    else
-      for (std::size_t i = 0; i < n_nodes; ++i)
-        for (unsigned int c = 0; c < 3; ++c)
-          y[3 * i + c] = ramp * y[3 * i + c] + inertia * m[i] * x[3 * i + c];
-    for (std::size_t k = 0; k < springs->dofs.size(); ++k)
-      y[springs->dofs[k]] += springs->stiffness[k] * x[springs->dofs[k]];
+    using Role = typename Resistance<dim>::Role;
+    dst        = 0.;
+    for (const Resistance<dim> *const resistance : *resistances)
+      if (resistance->role() != Role::support)
+        resistance->vmult_add(dst, src);
+    double *const       y = dst.begin();
+    const double *const x = src.begin();
+    const double *const m = mass->data();
+    for (const auto &run : *reached)
+      for (std::size_t i = run.begin; i < run.end; ++i)
+        for (unsigned int c = 0; c < dim; ++c)
+          y[dim * i + c] =
+            ramp * y[dim * i + c] + inertia * m[i] * x[dim * i + c];
+    for (const Resistance<dim> *const resistance : *resistances)
+      if (resistance->role() == Role::support)
+        resistance->vmult_add(dst, src);
     for (const unsigned int dof : *removed)
       y[dof] = 0.;
   }
 
 
+  template <int dim>
   void
-  SystemOperator::add_diagonal(NodalVector &diagonal) const
+  SystemOperator<dim>::add_diagonal(NodalVector &diagonal) const
   {
+    using Role     = typename Resistance<dim>::Role;
     NodalVector &K = stiffness_diagonal;
     K.reinit(diagonal);
-    stiffness->add_diagonal(K);
-    double *const      y   = diagonal.begin();
-    const unsigned int dim = diagonal.locally_owned_size() / mass->size();
+    for (const Resistance<dim> *const resistance : *resistances)
+      if (resistance->role() != Role::support)
+        resistance->add_diagonal(K);
+    double *const y = diagonal.begin();
     for (std::size_t i = 0; i < mass->size(); ++i)
       for (unsigned int c = 0; c < dim; ++c)
         y[dim * i + c] += ramp * K.begin()[dim * i + c] + inertia * (*mass)[i];
-    for (std::size_t k = 0; k < springs->dofs.size(); ++k)
-      y[springs->dofs[k]] += springs->stiffness[k];
+    for (const Resistance<dim> *const resistance : *resistances)
+      if (resistance->role() == Role::support)
+        resistance->add_diagonal(diagonal);
     for (const unsigned int dof : *removed)
       y[dof] = 0.;
+  }
+
+
+  template <int dim>
+  bool
+  SystemOperator<dim>::is_symmetric() const
+  {
+    return std::all_of(resistances->begin(),
+                       resistances->end(),
+                       [](const Resistance<dim> *const resistance) {
+                         return resistance->is_symmetric();
+                       });
+  }
+
+
+  StaticOperator::StaticOperator(const Operator    &A,
+                                 const NodalVector &like,
+                                 const double       s)
+    : A(A)
+  {
+    if (s == 0.)
+      return;
+    shift.reinit(like);
+    A.add_diagonal(shift);
+    for (double &entry : shift)
+      entry = s * std::abs(entry);
+  }
+
+
+  void
+  StaticOperator::vmult(NodalVector &dst, const NodalVector &src) const
+  {
+    A.vmult(dst, src);
+    for (unsigned int i = 0; i < shift.locally_owned_size(); ++i)
+      dst.begin()[i] += shift.begin()[i] * src.begin()[i];
   }
 
 
@@ -141,4 +159,8 @@ namespace Waker
     last.iterations += report.iterations;
     return last;
   }
+
+
+  template class SystemOperator<2>;
+  template class SystemOperator<3>;
 } // namespace Waker

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+#include <utility>
 
 namespace Waker
 {
@@ -23,30 +25,40 @@ namespace Waker
   }
 
 
-  template <int dim>
-  void
-  add_spring_reaction(const Springs             &springs,
-                      const std::vector<double> &targets,
-                      const NodalState          &nodes,
-                      StepReport<dim>           &report)
+  SchemeTraits
+  scheme_traits(const TimeParameters &time)
   {
-    const double *const u = nodes.increment.begin();
-    for (std::size_t k = 0; k < springs.dofs.size(); ++k)
-      {
-        const unsigned int dof = springs.dofs[k];
-        if (nodes.mass[dof / dim] == 0.)
-          continue;
-        const double force = -springs.stiffness[k] * (u[dof] - targets[k]);
-        report.reaction[dof % dim] += force;
-        report.support_work += force * u[dof];
-      }
+    SchemeTraits traits;
+    traits.has_inertia  = time.scheme != "quasi-static";
+    traits.is_implicit  = time.scheme != "explicit";
+    traits.moves_points = traits.has_inertia || time.move_points;
+    return traits;
   }
 
 
-  double
-  displacement_rate(const double square, const double mass, const double dt)
+  template <int dim>
+  void
+  StepReport<dim>::check_finite(const double time) const
   {
-    return mass > 0. ? std::sqrt(square / mass) / dt : 0.;
+    const std::pair<const char *, double> values[] = {
+      {"displacement rate", displacement_rate},
+      {"plastic strain", mean_plastic_strain},
+      {"kinetic energy", kinetic_energy},
+      {"elastic energy", elastic_energy},
+      {"dissipation", dissipation},
+      {"work of the weight", gravity_work},
+      {"work of the loads", water_work},
+      {"work of the supports", support_work},
+      {"work of the ramp", ramp_work},
+      {"mapping loss", mapping_loss}};
+    for (const auto &[name, value] : values)
+      if (!std::isfinite(value))
+        {
+          std::ostringstream message;
+          message << "the " << name << " of the step that ends at t = " << time
+                  << " s is not finite";
+          throw NumericalFailure(message.str());
+        }
   }
 
 
@@ -80,16 +92,8 @@ namespace Waker
   }
 
 
-  template void
-  add_spring_reaction(const Springs &,
-                      const std::vector<double> &,
-                      const NodalState &,
-                      StepReport<2> &);
-  template void
-  add_spring_reaction(const Springs &,
-                      const std::vector<double> &,
-                      const NodalState &,
-                      StepReport<3> &);
+  template struct StepReport<2>;
+  template struct StepReport<3>;
   template std::unique_ptr<TimeScheme<2>>
   make_time_scheme(const SchemeInput<2> &);
   template std::unique_ptr<TimeScheme<3>>

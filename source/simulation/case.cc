@@ -2,12 +2,12 @@
 #include <waker/base/errors.h>
 #include <waker/base/text.h>
 #include <waker/mapping/stencil.h>
-#include <waker/mapping/transfer.h>
 #include <waker/mechanics/deformation.h>
 #include <waker/mechanics/time_scheme.h>
 #include <waker/observers/dyke_geometry.h>
 #include <waker/simulation/case.h>
 #include <waker/simulation/initial_properties.h>
+#include <waker/simulation/scene.h>
 #include <waker/simulation/sizes.h>
 
 #include <algorithm>
@@ -173,16 +173,15 @@ namespace Waker
     scene.walls.reinit(scene.nodes.mass, 0., initial_wall_tractions);
     if (parameters.gravity.initial_stress)
       {
-        gravity_report =
-          gravity_step(materials,
-                       scene.weights,
-                       fixities,
-                       full_node_mass,
-                       parameters.gravity.tolerance,
-                       parameters.mapping,
-                       scene.nodes,
-                       points,
-                       scene.walls.empty() ? nullptr : &scene.walls);
+        gravity_report = gravity_step(materials,
+                                      scene.weights,
+                                      fixities,
+                                      full_node_mass,
+                                      parameters.gravity.tolerance,
+                                      parameters.mapping,
+                                      scene.nodes,
+                                      points,
+                                      scene.resistances());
         if (!gravity_report.converged)
           {
             std::ostringstream message;
@@ -194,9 +193,7 @@ namespace Waker
                     << parameters.gravity.tolerance;
             throw NumericalFailure(message.str());
           }
-        scene.walls.accept(scene.nodes.increment, initial_wall_tractions);
       }
-
     else
       scene.set_internal_force(points);
 
@@ -230,146 +227,10 @@ namespace Waker
   }
 
 
-  template <int dim>
-  Scene<dim>::Scene(const Case<dim> &the_case)
-    : weights(the_case.grid,
-              the_case.parameters.mapping.functions == "GIMP"
-                ? ShapeFunctions::gimp
-                : ShapeFunctions::linear)
-    , nodes(the_case.grid)
-    , surfaces(the_case.grid,
-               the_case.parameters.surface,
-               weights.functions(),
-               the_case.fixities.closed_faces())
-    , water(the_case.grid, the_case.parameters.water)
-    , tractions(the_case.grid,
-                the_case.parameters.tractions,
-                the_case.user_surfaces,
-                the_case.riding_loads)
-    , walls(the_case.grid,
-            the_case.parameters.walls,
-            stiffest_modulus(the_case.materials),
-            the_case.full_node_mass)
-    , the_case(&the_case)
-    , water_rise(the_case.parameters.water.rise, "Water/Rise")
-    , point_loads(the_case.grid)
-  {}
-
-
-  template <int dim>
-  void
-  Scene<dim>::set(const MaterialPoints<dim>  &points,
-                  const double                time,
-                  const SurfaceVertices<dim> &vertices)
-  {
-    weights.reinit(points);
-    to_nodes(points, weights, nodes);
-    surfaces.reset(points);
-    tractions.find(points, vertices, surfaces);
-    set_loads(points, time);
-  }
-
-
-  template <int dim>
-  void
-  Scene<dim>::set(const MaterialPoints<dim> &points)
-  {
-    set(points, 0., initial_vertices(*the_case));
-  }
-
-
-  template <int dim>
-  bool
-  Scene<dim>::loads_move() const
-  {
-    return water_rise.moves() || tractions.moves();
-  }
-
-
-  template <int dim>
-  double
-  Scene<dim>::last_load_change(const double unknown) const
-  {
-    double last = LastChange::never;
-    for (const double change :
-         {the_case->parameters.water.side != "none" ? water_rise.last_change()
-                                                    : LastChange::never,
-          tractions.last_change(),
-          walls.last_change(),
-          the_case->fixities.last_change()})
-      last = std::max(last, change == LastChange::unknown ? unknown : change);
-    return last;
-  }
-
-
-  template <int dim>
-  std::string
-  Scene<dim>::varying_load(const double from, const double to) const
-  {
-    if (the_case->parameters.water.side != "none" &&
-        water_rise.varies(from, to))
-      return "Water/Rise";
-    for (const std::string &path : {tractions.varying(from, to),
-                                    walls.varying(from, to),
-                                    the_case->fixities.varying(from, to)})
-      if (!path.empty())
-        return path;
-    return "";
-  }
-
-
-  template <int dim>
-  void
-  Scene<dim>::set_loads(const MaterialPoints<dim> &points, const double time)
-  {
-    set_gravity<dim>(the_case->parameters.gravity.acceleration, nodes);
-    water.set_level(water_level(time));
-    if (!surfaces.is_spatial())
-      water.find_wetted_segments(surfaces.chains());
-    else if (the_case->parameters.water.side != "none")
-      water.find_wetted_facets(surfaces.facets());
-    water.add_nodal_forces(nodes.mass,
-                           the_case->full_node_mass,
-                           nodes.external_force);
-    water_resultant = water.resultant();
-    tractions.add(
-      time, points, nodes.mass, the_case->full_node_mass, nodes.external_force);
-    if (!points.load.empty())
-      {
-        // Eq. 3.2, with linear functions also under GIMP.
-        point_loads.clear();
-        for (std::size_t p = 0; p < points.n_points(); ++p)
-          if (points.load[p] != Tensor<1, dim>())
-            point_loads.add(points.position[p], points.load[p]);
-        point_loads.distribute(nodes.mass, 0., nodes.external_force);
-      }
-  }
-
-
-  template <int dim>
-  void
-  Scene<dim>::set_internal_force(const MaterialPoints<dim> &points)
-  {
-    nodes.internal_force = 0.;
-    make_point_motion<dim>(the_case->parameters.mapping)
-      ->add_force_of_stress(points, weights, nodes.internal_force);
-  }
-
-
-  template <int dim>
-  double
-  Scene<dim>::water_level(const double time) const
-  {
-    return the_case->parameters.water.level + water_rise.value(time);
-  }
-
-
   template SurfaceVertices<2>
   initial_vertices(const Case<2> &);
   template SurfaceVertices<3>
   initial_vertices(const Case<3> &);
   template struct Case<2>;
   template struct Case<3>;
-  template class Scene<2>;
-  template class Scene<3>;
 } // namespace Waker

@@ -70,25 +70,29 @@ namespace Waker
     for (const MaterialParameters &m : p.materials)
       say(log, "  material  %s: %s", m.name.c_str(), m.model.c_str());
 
-    const double c = wave_speed(the_case.materials);
-    if (p.time.scheme == "Newmark")
+    const double       c      = wave_speed(the_case.materials);
+    const SchemeTraits scheme = scheme_traits(p.time);
+    if (scheme.is_implicit && scheme.has_inertia)
       {
         const double cfl = c * p.time.time_step / h;
         say(log,
-            "  time      Newmark, dt = %g s: %.2g times the wave CFL "
+            "  time      %s, dt = %g s: %.2g times the wave CFL "
             "(c_p = %.3g m/s)",
+            p.time.scheme.c_str(),
             p.time.time_step,
             cfl,
             c);
       }
-    else if (p.time.scheme == "quasi-static")
+    else if (!scheme.has_inertia)
       say(log,
-          "  time      quasi-static, %.3g load steps of %g s",
+          "  time      %s, %.3g load steps of %g s",
+          p.time.scheme.c_str(),
           std::ceil(p.time.end_time / p.time.time_step * (1. - 1e-12)),
           p.time.time_step);
     else
       say(log,
-          "  time      explicit, dt about %.2g s (c_p = %.3g m/s)",
+          "  time      %s, dt about %.2g s (c_p = %.3g m/s)",
+          p.time.scheme.c_str(),
           p.time.courant_number * h / c,
           c);
     for (std::size_t i = 0; i < p.tractions.size(); ++i)

@@ -104,7 +104,7 @@ namespace Waker
                   const Parameters          &parameters)
     : grid(&grid)
     , materials(&materials)
-    , scheme(parameters.time.scheme)
+    , scheme(scheme_traits(parameters.time))
     , ramp_duration(parameters.time.ramp_duration)
     , outflow_faces(parameters.outflow.open_faces(dim))
     , all_conditions(parameters.fixities)
@@ -134,9 +134,10 @@ namespace Waker
           throw UserError(path,
                           "is " + inflow.face + ", which is in Outflow/Faces",
                           "another face");
-        if (scheme == "explicit")
+        if (!scheme.is_implicit)
           throw UserError("Time stepping/Scheme",
-                          "is explicit, but there is an inflow",
+                          "is " + parameters.time.scheme +
+                            ", but there is an inflow",
                           "Newmark or quasi-static");
         typename Feeder<dim>::Variables variables;
         for (const MaterialVariable &variable : materials[m]->variables())
@@ -232,7 +233,7 @@ namespace Waker
                    const StepReport<dim> &report,
                    const double           t) const
   {
-    if (scheme == "quasi-static")
+    if (!scheme.has_inertia)
       return Tensor<1, dim>(); // no inertia, no impulse
     Tensor<1, dim>      sum      = report.reaction;
     const double *const external = nodes.external_force.begin();
@@ -255,7 +256,7 @@ namespace Waker
     FlowAccount<dim>    &account = state.flow;
     const Tensor<1, dim> now     = force(nodes, report, state.time);
     account.impulse +=
-      scheme == "explicit" ? dt * now : 0.5 * dt * (account.force + now);
+      scheme.is_implicit ? 0.5 * dt * (account.force + now) : dt * now;
     account.force = now;
 
     if (has_outflow)
@@ -270,9 +271,9 @@ namespace Waker
              ++p)
           {
             const double kinetic =
-              scheme == "quasi-static"
-                ? 0.
-                : 0.5 * points.mass[p] * points.velocity[p].norm_square();
+              scheme.has_inertia
+                ? 0.5 * points.mass[p] * points.velocity[p].norm_square()
+                : 0.;
             account.mass_in += points.mass[p];
             account.momentum_in += points.mass[p] * points.velocity[p];
             state.energy.kinetic += kinetic;
@@ -308,7 +309,7 @@ namespace Waker
         account.force -= points.mass[p] * points.acceleration[p];
       }
     account.momentum_out += momentum(gone);
-    const double kinetic = scheme == "quasi-static" ? 0. : kinetic_energy(gone);
+    const double kinetic = scheme.has_inertia ? kinetic_energy(gone) : 0.;
     const double elastic = elastic_energy(gone, *materials);
     state.energy.kinetic -= kinetic;
     state.energy.elastic -= elastic;

@@ -5,6 +5,7 @@
 #include <waker/base/errors.h>
 #include <waker/base/numbers.h>
 #include <waker/base/sizes.h>
+#include <waker/mechanics/time_scheme.h>
 #include <waker/simulation/parameters.h>
 
 #include <algorithm>
@@ -291,9 +292,10 @@ namespace Waker
       load.check(dimension);
     for (const WallParameters &wall : walls)
       wall.check(dimension);
-    if (!walls.empty() && time.scheme == "explicit")
+    if (!walls.empty() && !scheme_traits(time).is_implicit)
       throw UserError("Time stepping/Scheme",
-                      "is explicit, but there are walls off the grid",
+                      "is " + time.scheme +
+                        ", but there are walls off the grid",
                       "Newmark or quasi-static");
     outflow.open_faces(dimension);
     for (const InflowParameters &inflow : inflows)

@@ -185,7 +185,8 @@ namespace Waker
     const double             h        = the_case.grid.cell_size();
     Ranges                   ranges(warnings);
     check_strengths_of_points(the_case, ranges);
-    if (p.time.scheme == "Newmark")
+    const SchemeTraits scheme = scheme_traits(p.time);
+    if (scheme.is_implicit && scheme.has_inertia)
       {
         const double cells =
           wave_speed(the_case.materials) * p.time.time_step / h;
@@ -203,7 +204,7 @@ namespace Waker
     double fastest = 0.;
     for (const Tensor<1, dim> &v : the_case.initial_points.velocity)
       fastest = std::max(fastest, v.norm());
-    if (p.time.scheme != "explicit" && fastest * p.time.time_step > h)
+    if (scheme.is_implicit && fastest * p.time.time_step > h)
       {
         std::ostringstream text;
         text << "Soil profile: soil begins at " << fastest

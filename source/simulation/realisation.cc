@@ -1,59 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <waker/base/errors.h>
-#include <waker/mechanics/deformation.h>
 #include <waker/observers/dyke_geometry.h>
 #include <waker/observers/soil_at_sides.h>
 #include <waker/simulation/realisation.h>
 
 #include <algorithm>
-#include <cmath>
-#include <sstream>
-#include <utility>
 
 namespace Waker
 {
-  namespace
-  {
-    /// After this many steps at a halved time step it is doubled again.
-    constexpr unsigned int steps_before_doubling = 4;
-
-
-    /// What a step gives has to be numbers: a comparison with anything else is
-    /// false, and would pass for rest.
-    /// @throws NumericalFailure with the name of what is not
-    template <int dim>
-    void
-    check_finite(const StepReport<dim> &report, const double time)
-    {
-      const std::pair<const char *, double> values[] = {
-        {"displacement rate", report.displacement_rate},
-        {"plastic strain", report.mean_plastic_strain},
-        {"kinetic energy", report.kinetic_energy},
-        {"elastic energy", report.elastic_energy},
-        {"dissipation", report.dissipation},
-        {"work of the weight", report.gravity_work},
-        {"work of the loads", report.water_work},
-        {"work of the supports", report.support_work},
-        {"work of the ramp", report.ramp_work},
-        {"mapping loss", report.mapping_loss}};
-      for (const auto &[name, value] : values)
-        if (!std::isfinite(value))
-          {
-            std::ostringstream message;
-            message << "the " << name
-                    << " of the step that ends at t = " << time
-                    << " s is not finite";
-            throw NumericalFailure(message.str());
-          }
-    }
-  } // namespace
-
-
   template <int dim>
   Realisation<dim>::Realisation(const Case<dim> &the_case, State<dim> &state)
     : the_case(&the_case)
     , state(&state)
     , scene(the_case)
+    , carried(the_case)
+    , control(the_case.parameters.time, state)
     , scheme(make_time_scheme(
         SchemeInput<dim>{the_case.grid,
                          scene.weights,
@@ -64,7 +24,7 @@ namespace Waker
                          the_case.parameters.mapping,
                          the_case.parameters.gravity.acceleration,
                          the_case.full_node_mass,
-                         scene.walls.empty() ? nullptr : &scene.walls}))
+                         scene.resistances()}))
   {
     report.kinetic_energy = state.energy.kinetic;
     report.elastic_energy = state.energy.elastic;
@@ -76,24 +36,7 @@ namespace Waker
   Realisation<dim>::look()
   {
     const Parameters &parameters = the_case->parameters;
-    try
-      {
-        scene.set(state->points, state->time, state->surface_vertices);
-      }
-    catch (const UserError &error)
-      {
-        // What the input allowed at the start is no mistake of it later.
-        if (state->step == 0)
-          throw;
-        throw NumericalFailure(error.what());
-      }
-    scene.tractions.record(state->time, state->tractions);
-    scene.walls.reinit(scene.nodes.mass, state->time, state->wall_tractions);
-    if (state->step == 0)
-      {
-        scene.set_internal_force(state->points);
-        scene.walls.add_start_force(scene.nodes.internal_force);
-      }
+    scene.set(*state); // nodes, surface, loads
 
     // The width is measured at one level all the time: a rise of the water is
     // no failure.
@@ -126,7 +69,7 @@ namespace Waker
   {
     const Parameters &parameters = the_case->parameters;
     // Load steps are in balance, each as it is: they need no time to rest.
-    const bool   is_static = parameters.time.scheme == "quasi-static";
+    const bool   is_static = !scheme_traits(parameters.time).has_inertia;
     const double time      = state->time;
     const double since =
       is_static ? time : std::max(0., time - parameters.stop.rest_duration);
@@ -152,9 +95,7 @@ namespace Waker
   double
   Realisation<dim>::next_time_step() const
   {
-    const double dt = std::ldexp(scheme->time_step(state->points),
-                                 -static_cast<int>(state->halvings));
-    return std::min(dt, the_case->parameters.time.end_time - state->time);
+    return control.next(scheme->time_step(state->points));
   }
 
 
@@ -162,79 +103,20 @@ namespace Waker
   void
   Realisation<dim>::advance()
   {
-    const TimeParameters &time       = the_case->parameters.time;
-    const bool            loads_move = scene.loads_move();
-    double                dt;
-    if (loads_move)
-      scene.nodes.start_force = scene.nodes.external_force;
-    while (true)
-      {
-        dt = next_time_step();
-        // The loads at the end of the step, on the surfaces at its start.
-        if (loads_move)
-          scene.set_loads(state->points, state->time + dt);
-        scene.walls.set_step(state->time, dt);
-        report = scheme->solve(
-          state->points, scene.weights, state->time, dt, scene.nodes);
-        state->newton_iterations += report.newton_iterations;
-        state->linear_iterations += report.linear_iterations;
-        if (report.converged)
-          break;
-
-        ++state->unconverged_steps;
-        state->steps_since_change = 0;
-        if (state->halvings == time.maximum_halvings)
-          {
-            std::ostringstream message;
-            message << "the step from t = " << state->time
-                    << " s does not converge, not even with dt = " << dt
-                    << " s (residual " << report.residuals.back() << ")";
-            throw NumericalFailure(message.str());
-          }
-        ++state->halvings;
-      }
-
-    scheme->update_points(
-      scene.weights, state->time, dt, scene.nodes, state->points, report);
-    if (!scene.walls.empty())
-      {
-        const auto work = scene.walls.work(scene.nodes.increment);
-        report.support_work += 0.5 * (work.start + work.end);
-        report.reaction +=
-          scene.walls.accept(scene.nodes.increment, state->wall_tractions);
-      }
-    if (the_case->parameters.mapping.domains == "stretched")
-      report.held_domains =
-        stretch_domains(the_case->grid.cell_size(), state->points);
-
-    if (time.scheme != "quasi-static" || time.move_points)
-      for (std::vector<Point<dim>> &vertices : state->surface_vertices)
-        carry_vertices(the_case->grid, scene.nodes, vertices);
-
-    check_finite(report, state->time + dt);
-    state->time += dt;
-    ++state->step;
-    state->last_dt             = dt;
-    state->mean_plastic_strain = report.mean_plastic_strain;
-    state->displacement_rate   = report.displacement_rate;
-    if (state->halvings > 0 &&
-        ++state->steps_since_change >= steps_before_doubling)
-      {
-        --state->halvings;
-        state->steps_since_change = 0;
-      }
-
-    EnergyAccount &energy = state->energy;
-    energy.kinetic        = report.kinetic_energy;
-    energy.elastic        = report.elastic_energy;
-    energy.dissipation += report.dissipation;
-    energy.ramp_work += report.ramp_work;
-    energy.mapping_loss += report.mapping_loss;
-    energy.gravity_work += report.gravity_work;
-    energy.water_work += report.water_work;
-    energy.support_work += report.support_work;
-
-    the_case->flow.exchange(scene.nodes, report, dt, *state);
+    const double t     = state->time;
+    NodalState  &nodes = scene.nodes;
+    scene.begin_step();
+    const double dt =
+      control.solve(scheme->time_step(state->points), [&](const double dt) {
+        scene.set_end_loads(state->points, t + dt); // weight, water, tractions
+        return report = scheme->solve(state->points, t, dt, nodes); // eq. 2.23
+      });
+    scheme->to_points(t, dt, nodes, state->points, report); // stress, motion
+    report.held_domains = carried.move(nodes, *state);      // domains, surfaces
+    report.check_finite(t + dt);
+    state->energy += report;
+    control.accept(dt, report);                         // time goes on
+    the_case->flow.exchange(nodes, report, dt, *state); // inflow, outflow
   }
 
 

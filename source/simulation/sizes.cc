@@ -25,7 +25,7 @@ namespace Waker
                   const double      n_nodes)
     {
       const bool gravity = parameters.gravity.initial_stress;
-      const bool direct  = parameters.time.scheme == "quasi-static";
+      const bool direct  = !scheme_traits(parameters.time).has_inertia;
       if (dim == 3 || !(gravity || direct))
         return 8. * 60. * dim * n_nodes; // basis of the Krylov space
       // Of a factor of a plane grid's matrix: some 10 n log2(n) entries of
@@ -49,17 +49,16 @@ namespace Waker
     const TimeParameters   &time   = parameters.time;
     const OutputParameters &output = parameters.output;
     RunSizes                sizes;
-    sizes.time_step = time.scheme == "explicit"
-                        ? time.courant_number * parameters.grid.cell_size /
-                            wave_speed(materials)
-                        : time.time_step;
-    sizes.steps     = std::ceil(time.end_time / sizes.time_step * (1. - 1e-12));
+    const SchemeTraits      scheme = scheme_traits(time);
+    sizes.time_step                = scheme.is_implicit
+                                       ? time.time_step
+                                       : time.courant_number * parameters.grid.cell_size /
+                            wave_speed(materials);
+    sizes.steps = std::ceil(time.end_time / sizes.time_step * (1. - 1e-12));
 
     // Microseconds per point and step: see doc/verification/performance.md. A
     // quasi-static step factorises a matrix in each iteration.
-    const double per_step = time.scheme == "quasi-static" ? 30.
-                            : dim == 2                    ? 0.4
-                                                          : 2.;
+    const double per_step = !scheme.has_inertia ? 30. : dim == 2 ? 0.4 : 2.;
     sizes.computing       = 1e-6 * per_step * n_points * sizes.steps;
 
     const double per_point =
@@ -97,7 +96,7 @@ namespace Waker
   void
   check_run_sizes(const RunSizes &sizes, const Parameters &parameters)
   {
-    const bool chosen = parameters.time.scheme != "explicit";
+    const bool chosen = scheme_traits(parameters.time).is_implicit;
     checked_count(chosen ? "Time stepping/Time step" : "Time stepping/End time",
                   sizes.steps,
                   "steps to the end time",

@@ -2,6 +2,7 @@
 #include <waker/base/errors.h>
 #include <waker/particles/removal.h>
 #include <waker/simulation/case.h>
+#include <waker/simulation/scene.h>
 
 #include "output_temporary_folder.h"
 #include <cmath>

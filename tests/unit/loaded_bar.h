@@ -3,6 +3,7 @@
 #define waker_tests_loaded_bar_h
 
 #include <waker/simulation/case.h>
+#include <waker/simulation/scene.h>
 
 #include "output_temporary_folder.h"
 #include <sstream>

@@ -2,6 +2,7 @@
 #include <waker/base/errors.h>
 #include <waker/mechanics/gmres.h>
 #include <waker/simulation/realisation.h>
+#include <waker/simulation/scene.h>
 
 #include "reliability_random_dyke.h"
 #include <gtest/gtest.h>

@@ -6,6 +6,7 @@
 #include <waker/mechanics/ghost_stiffness.h>
 #include <waker/mechanics/logarithmic_motion.h>
 #include <waker/mechanics/newton.h>
+#include <waker/mechanics/soil.h>
 
 #include "mapping_lattice.h"
 #include <gtest/gtest.h>
@@ -59,8 +60,11 @@ namespace
   check_operator()
   {
     Block<dim>          block(1e-3);
-    GhostStiffness<dim> ghost(block.grid, block.fixities, 3.);
-    ghost.reinit(block.nodes.mass, block.full_mass());
+    GhostStiffness<dim> ghost(block.grid,
+                              block.fixities,
+                              3.,
+                              block.full_mass());
+    ghost.begin(block.points, block.nodes, 0., 1.);
     const unsigned int n = block.grid.n_dofs();
     Lattice::Random    random(7);
 
@@ -94,9 +98,16 @@ namespace
         ASSERT_NEAR(diagonal.begin()[i], force.begin()[i], 1e-12);
       }
 
+    // What it takes is the work of the force at the end.
+    force = 0.;
+    ghost.add_force(u, force);
+    const ResistanceWork work = ghost.work(u);
+    EXPECT_EQ(work.start, 0.);
+    EXPECT_NEAR(work.end, -(u * force), 1e-13 * (u * force));
+
     // A body that fills its cells has none.
     Block<dim> full(0.);
-    ghost.reinit(full.nodes.mass, full.full_mass());
+    ghost.begin(full.points, full.nodes, 0., 1.);
     force = 0.;
     ghost.vmult_add(force, u);
     EXPECT_EQ(force.linfty_norm(), 0.);
@@ -116,24 +127,29 @@ namespace
   void
   check_direct_solver(const double reach)
   {
-    Block<dim>             block(reach);
-    StressUpdate<dim>      update(block.materials,
-                             std::make_unique<LogarithmicMotion<dim>>());
-    ConsistentTangent<dim> tangent(block.weights);
-    NodalVector            u(block.grid.n_dofs()), force(u);
-    Lattice::Random        random(11);
+    Block<dim> block(reach);
+    Soil<dim>  soil(
+      block.weights,
+      StressUpdate<dim>(block.materials,
+                        std::make_unique<LogarithmicMotion<dim>>()),
+      "consistent");
+    NodalVector     u(block.grid.n_dofs()), force(u);
+    Lattice::Random random(11);
     for (double &value : u)
       value = random(-0.02, 0.02) * h;
-    update.evaluate(block.points, block.weights, u, force);
-    tangent.reinit(update, block.points);
-    const Springs        springs;
-    const SystemOperator system(tangent,
-                                1.,
-                                0.,
-                                block.nodes.mass,
-                                block.fixities.removed_list(),
-                                springs);
-    DirectSolver<dim>    solver(block.grid);
+    soil.begin(block.points, block.nodes, 0., 1.);
+    soil.add_force(u, force);
+    soil.linearise();
+    const Resistances<dim> resistances = {&soil};
+    ReachedNodes           reached(block.grid);
+    reached.reinit(block.nodes.mass);
+    const SystemOperator<dim> system(resistances,
+                                     1.,
+                                     0.,
+                                     block.nodes.mass,
+                                     reached,
+                                     block.fixities.removed_list());
+    DirectSolver<dim>         solver(block.grid);
     solver.factorise(system, 1e-10);
     // Whatever the solution: its force is solved for.
     NodalVector b(force), x(force), product(force);
@@ -173,18 +189,19 @@ namespace
     const Fixities<2> fixities(block.grid, {support});
     NewtonParameters  parameters;
     parameters.tolerance = 1e-6;
-    NewtonSolver<2> newton(block.weights,
+    NewtonSolver<2> newton(block.grid,
                            fixities,
                            parameters,
                            block.full_mass(),
-                           {},
                            LinearMethod::direct);
-    StressUpdate<2> update(block.materials,
-                           std::make_unique<LogarithmicMotion<2>>());
+    Soil<2>         soil(block.weights,
+                 StressUpdate<2>(block.materials,
+                                 std::make_unique<LogarithmicMotion<2>>()),
+                 parameters.tangent);
+    soil.begin(block.points, nodes, 0., 1.);
     try
       {
-        const NewtonReport report =
-          newton.solve(block.points, {}, {}, update, nodes);
+        const NewtonReport report = newton.solve({&soil}, {}, nodes);
         EXPECT_EQ(report.converged,
                   report.residuals.back() <= parameters.tolerance);
         return report.converged ? "converged" : "not converged";

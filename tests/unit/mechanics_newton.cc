@@ -2,6 +2,7 @@
 #include <waker/mapping/transfer.h>
 #include <waker/materials/von_mises_softening.h>
 #include <waker/mechanics/newton.h>
+#include <waker/mechanics/soil.h>
 #include <waker/mechanics/step_motion.h>
 
 #include "mapping_lattice.h"
@@ -97,20 +98,25 @@ namespace
     parameters.linear_tolerance = 1e-12;
     parameters.maximum_linear_iterations = 3000;
     parameters.maximum_iterations        = tangent == "consistent" ? 20 : 400;
-    NewtonSolver<dim> newton(
-      weights, fixities, parameters, density * std::pow(h, dim), {});
+    NewtonSolver<dim>                   newton(grid,
+                             fixities,
+                             parameters,
+                             density * std::pow(h, dim));
     typename NewtonSolver<dim>::Inertia inertia;
     inertia.factor  = 4. / (problem.dt * problem.dt);
     inertia.history = &history;
-    StressUpdate<dim>  update(materials,
-                             std::make_unique<StepMotion<dim>>(true));
-    const NewtonReport report =
-      newton.solve(points, inertia, {}, update, nodes);
+    Soil<dim> soil(weights,
+                   StressUpdate<dim>(materials,
+                                     std::make_unique<StepMotion<dim>>(true)),
+                   tangent);
+    soil.begin(points, nodes, 0., problem.dt);
+    const NewtonReport report = newton.solve({&soil}, inertia, nodes);
+    soil.accept(nodes.increment, points);
 
     Outcome outcome;
     outcome.residuals           = report.residuals;
     outcome.increment           = nodes.increment;
-    outcome.mean_plastic_strain = update.accept(points).plastic_strain;
+    outcome.mean_plastic_strain = soil.report().plastic_strain;
     outcome.n_points            = points.n_points();
     if (problem.softening)
       for (const double c : points.scalar("undrained shear strength"))
@@ -265,10 +271,14 @@ TEST(Mechanics, newton_sees_convergence_without_load)
   NewtonParameters parameters;
   parameters.tolerance        = 1e-8;
   parameters.linear_tolerance = 1e-12;
-  NewtonSolver<2>    newton(weights, fixities, parameters, density * h * h, {});
-  StressUpdate<2>    update(materials, std::make_unique<StepMotion<2>>(false));
-  const NewtonReport report = newton.solve(points, {}, {}, update, nodes);
-  update.accept(points);
+  NewtonSolver<2> newton(grid, fixities, parameters, density * h * h);
+  Soil<2>         soil(weights,
+               StressUpdate<2>(materials,
+                               std::make_unique<StepMotion<2>>(false)),
+               parameters.tangent);
+  soil.begin(points, nodes, 0., 1.);
+  const NewtonReport report = newton.solve({&soil}, {}, nodes);
+  soil.accept(nodes.increment, points);
   EXPECT_TRUE(report.converged) << report.residuals.back();
   EXPECT_LE(report.iterations, 2u);
   const double M = 1000. * 0.7 / (1.3 * 0.4); // kPa, uniaxial strain
@@ -288,7 +298,7 @@ TEST(Mechanics, newton_never_takes_what_is_not_a_number_for_converged)
   Weights<2>        weights(grid, ShapeFunctions::gimp);
   weights.reinit(points);
   NewtonParameters parameters;
-  NewtonSolver<2>  newton(weights, fixities, parameters, density * h * h, {});
+  NewtonSolver<2>  newton(grid, fixities, parameters, density * h * h);
 
   // The last one's square overflows.
   for (const double bad : {std::nan(""), HUGE_VAL, 1e200, 0.})
@@ -305,9 +315,12 @@ TEST(Mechanics, newton_never_takes_what_is_not_a_number_for_converged)
             nodes.external_force.begin()[2 * i] = bad;
             break;
           }
-      StressUpdate<2> update(materials, std::make_unique<StepMotion<2>>(false));
-      const NewtonReport report =
-        newton.solve(points, inertia, {}, update, nodes);
+      Soil<2> soil(weights,
+                   StressUpdate<2>(materials,
+                                   std::make_unique<StepMotion<2>>(false)),
+                   parameters.tangent);
+      soil.begin(points, nodes, 0., 1.);
+      const NewtonReport report = newton.solve({&soil}, inertia, nodes);
       EXPECT_EQ(report.converged, bad == 0.) << bad;
       EXPECT_EQ(report.residuals.back(), bad == 0. ? 0. : HUGE_VAL) << bad;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/materials/linear_elastic.h>
 #include <waker/mechanics/newton.h>
+#include <waker/mechanics/soil.h>
 #include <waker/mechanics/step_motion.h>
 #include <waker/mechanics/stress_update.h>
 
@@ -218,9 +219,8 @@ namespace
     newton.linear_tolerance          = 1e-12;
     newton.maximum_iterations        = tangent == "consistent" ? 3 : 100;
     newton.maximum_linear_iterations = 1000;
-    NewtonSolver<dim> solver(
-      weights, fixities, newton, 1.5 * std::pow(h, dim), {});
-    NodalState nodes(grid);
+    NewtonSolver<dim> solver(grid, fixities, newton, 1.5 * std::pow(h, dim));
+    NodalState        nodes(grid);
     for (unsigned int p = 0; p < points.n_points(); ++p)
       Stencil<dim>(grid).for_each_node(
         weights[p], [&](const unsigned int node, const double S, const auto &) {
@@ -231,11 +231,14 @@ namespace
     for (std::size_t k = 0; k < increments.size(); ++k)
       nodes.increment.begin()[fixities.removed_list()[k]] = increments[k];
 
-    StressUpdate<dim>  update(materials,
-                             std::make_unique<StepMotion<dim>>(false));
-    const NewtonReport report = solver.solve(points, {}, {}, update, nodes);
+    Soil<dim> soil(weights,
+                   StressUpdate<dim>(materials,
+                                     std::make_unique<StepMotion<dim>>(false)),
+                   tangent);
+    soil.begin(points, nodes, 0., 1.);
+    const NewtonReport report = solver.solve({&soil}, {}, nodes);
     EXPECT_TRUE(report.converged) << tangent << ' ' << dim;
-    update.accept(points);
+    soil.accept(nodes.increment, points);
     const auto exact = exact_stress(A);
     for (const auto &stress : points.stress)
       ASSERT_LT((stress - exact).norm() / exact.norm(), 1e-10);

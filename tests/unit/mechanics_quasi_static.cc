@@ -53,9 +53,9 @@ namespace
       weights.reinit(points);
       to_nodes(points, weights, nodes);
       set_gravity<dim>(gravity, nodes);
-      StepReport<dim> report = scheme->solve(points, weights, t, dt, nodes);
+      StepReport<dim> report = scheme->solve(points, t, dt, nodes);
       EXPECT_TRUE(report.converged);
-      scheme->update_points(weights, t, dt, nodes, points, report);
+      scheme->to_points(t, dt, nodes, points, report);
       account.elastic = report.elastic_energy;
       account.gravity_work += report.gravity_work;
       account.water_work += report.water_work;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
 #include <waker/simulation/realisation.h>
+#include <waker/simulation/scene.h>
 
 #include "loaded_bar.h"
 #include <cmath>

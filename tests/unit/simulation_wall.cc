@@ -2,6 +2,7 @@
 #include <waker/base/errors.h>
 #include <waker/program/parameter_reader.h>
 #include <waker/simulation/realisation.h>
+#include <waker/simulation/scene.h>
 
 #include "user_errors.h"
 #include <cmath>

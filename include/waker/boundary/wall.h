@@ -5,9 +5,8 @@
 #include <waker/base/expression.h>
 #include <waker/boundary/wall_parameters.h>
 #include <waker/grid/background_grid.h>
-#include <waker/nodes/nodal_vector.h>
+#include <waker/nodes/resistance.h>
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -45,7 +44,7 @@ namespace Waker
    * Work space: made once, used in every step.
    */
   template <int dim>
-  class Walls
+  class Walls : public Resistance<dim>
   {
   public:
     static constexpr double contact_share = dim == 2 ? 0.2 : 0.09;
@@ -78,7 +77,9 @@ namespace Waker
     }
 
     /// Where the walls stand at time t (s) and which of their spots touch soil.
-    /// @param tractions of the spots; those without contact are set to zero
+    /// @param tractions of the spots; those without contact are set to zero.
+    ///        accept() writes those at the end of a step here: they must live
+    ///        until then.
     void
     reinit(const std::vector<double> &node_mass,
            const double               t,
@@ -97,43 +98,42 @@ namespace Waker
     std::string
     varying(const double from, const double to) const;
 
+    typename Resistance<dim>::Role
+    role() const override
+    {
+      return Resistance<dim>::Role::load;
+    }
+
+    void
+    begin(const MaterialPoints<dim> &points,
+          const NodalState          &nodes,
+          const double               t,
+          const double               dt) override
+    {
+      (void)points;
+      (void)nodes;
+      set_step(t, dt);
+    }
+
     /// internal -= the force of the walls for an increment (kN)
     void
-    add_internal_force(const NodalVector &increment,
-                       NodalVector       &internal) const;
-
-    /// internal -= their force at the start of the step
-    void
-    add_start_force(NodalVector &internal) const;
-
-    /// dst += K src
-    void
-    vmult_add(NodalVector &dst, const NodalVector &src) const;
+    add_force(const NodalVector &increment, NodalVector &internal) override;
 
     void
-    add_diagonal(NodalVector &diagonal) const;
+    add_start_force(NodalVector &internal) override;
 
-    /// f(i, j, K_ij) for the nodes that a spot couples: no further apart than
-    /// two cells in any direction.
     void
-    for_each_block(const std::function<void(const unsigned int,
-                                            const unsigned int,
-                                            const Tensor<2, dim> &)> &f) const;
+    vmult_add(NodalVector &dst, const NodalVector &src) const override;
 
-    /// Forces on the soil times its displacement in the step (kJ).
-    struct Work
-    {
-      double start = 0.; // of the forces at its start
-      double end   = 0.; // at its end
-    };
-
-    Work
-    work(const NodalVector &increment) const;
+    void
+    add_diagonal(NodalVector &diagonal) const override;
 
     /// Take the tractions at the end of a step.
-    /// @return the force on the soil (kN)
     Tensor<1, dim>
-    accept(const NodalVector &increment, Tractions &tractions) const;
+    accept(const NodalVector &increment, MaterialPoints<dim> &points) override;
+
+    ResistanceWork
+    work(const NodalVector &increment) const override;
 
     /// Force of the wall of this number on the soil, with these tractions (kN).
     Tensor<1, dim>
@@ -219,8 +219,9 @@ namespace Waker
     std::vector<Wall>          walls;
     std::vector<Spot>          spots;
     std::vector<Contact>       contacts;
-    std::vector<unsigned int>  nodes;   // of the contacts
-    std::vector<double>        weights; // likewise
+    std::vector<unsigned int>  nodes;             // of the contacts
+    std::vector<double>        weights;           // likewise
+    Tractions                 *carried = nullptr; // from step to step
   };
 } // namespace Waker
 

@@ -23,6 +23,9 @@ namespace Waker
   Tensor<1, dim>
   momentum(const MaterialPoints<dim> &points);
 
+  template <int dim>
+  struct StepReport;
+
   /**
    * The energy of a run, in kJ (per m in 2D), summed over its steps. Every
    * term is computed on its own, none as the rest of the others, so that
@@ -54,6 +57,11 @@ namespace Waker
              dissipation + ramp_work + mapping_loss - gravity_work -
              water_work - support_work - inflow + outflow;
     }
+
+    /// Take in a step.
+    template <int dim>
+    EnergyAccount &
+    operator+=(const StepReport<dim> &step);
 
     template <typename Archive>
     void

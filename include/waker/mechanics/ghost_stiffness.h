@@ -3,7 +3,7 @@
 #define waker_mechanics_ghost_stiffness_h
 
 #include <waker/nodes/fixities.h>
-#include <waker/nodes/nodal_vector.h>
+#include <waker/nodes/resistance.h>
 
 #include <vector>
 
@@ -21,28 +21,48 @@ namespace Waker
    * TimeParameters::ghost_stiffness.
    */
   template <int dim>
-  class GhostStiffness
+  class GhostStiffness : public Resistance<dim>
   {
   public:
     /// @param fixities must outlive this object
     /// @param stiffness f (K + 4G/3), of the stiffest material (kPa)
+    /// @param full_node_mass of a node inside the body (Mg)
     GhostStiffness(const BackgroundGrid<dim> &grid,
                    const Fixities<dim>       &fixities,
-                   const double               stiffness);
+                   const double               stiffness,
+                   const double               full_node_mass);
+
+    typename Resistance<dim>::Role
+    role() const override
+    {
+      return Resistance<dim>::Role::remedy;
+    }
 
     /// Find the nodes that are hardly touched.
-    /// @param full_node_mass of a node inside the body (Mg)
     void
-    reinit(const std::vector<double> &mass, const double full_node_mass);
+    begin(const MaterialPoints<dim> &points,
+          const NodalState          &nodes,
+          const double               t,
+          const double               dt) override;
 
-    /// force += the force of the springs at displacement increments u, which
-    /// is linear in them.
+    /// The force of the springs, which is linear in the increment.
     void
-    vmult_add(NodalVector &force, const NodalVector &u) const;
+    add_force(const NodalVector &increment, NodalVector &internal) override
+    {
+      vmult_add(internal, increment);
+    }
 
-    /// diagonal += its own.
     void
-    add_diagonal(NodalVector &diagonal) const;
+    vmult_add(NodalVector &dst, const NodalVector &src) const override;
+
+    void
+    add_diagonal(NodalVector &diagonal) const override;
+
+    Tensor<1, dim>
+    accept(const NodalVector &increment, MaterialPoints<dim> &points) override;
+
+    ResistanceWork
+    work(const NodalVector &increment) const override;
 
   private:
     /// Three dofs in a row: middle - distance, middle, middle + distance.
@@ -54,6 +74,7 @@ namespace Waker
     const BackgroundGrid<dim> *grid;
     const Fixities<dim>       *fixities;
     double                     k; // kN/m
+    double                     full_node_mass;
     std::vector<Row>           rows;
   };
 } // namespace Waker

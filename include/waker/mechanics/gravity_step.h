@@ -2,11 +2,11 @@
 #ifndef waker_mechanics_gravity_step_h
 #define waker_mechanics_gravity_step_h
 
-#include <waker/boundary/wall.h>
 #include <waker/mechanics/mixed_cells.h>
 #include <waker/mechanics/stress_update.h>
 #include <waker/nodes/fixities.h>
 #include <waker/nodes/nodal_state.h>
+#include <waker/nodes/resistance.h>
 
 #include <vector>
 
@@ -20,21 +20,20 @@ namespace Waker
   };
 
   /**
-   * The in-situ stress: an elastic, quasi-static step with the points fixed in
-   * place (section 5.3 of Remmerswaal 2023). Sets the points' stress; nothing
-   * moves.
+   * The in-situ stress: a quasi-static step (make_quasi_static()) of an elastic
+   * body with the points fixed in place (section 5.3 of Remmerswaal 2023). Sets
+   * the points' stress; nothing moves.
    *
    * The tangent of the internal force has no stiffness for some motions of
    * nodes that only one support domain touches: a millionth of its diagonal is
-   * added, and the residual iterated away. 2D by a sparse factorisation, 3D by
-   * conjugate gradients. Cells with points of two stiffnesses get one of their
-   * own: see mixed_cells.h.
+   * added, and the residual iterated away (LinearMethod::elastic). Cells with
+   * points of two stiffnesses get one of their own: see mixed_cells.h.
    *
    * @param nodes in: mass, external_force (weight and water)
    * @param full_node_mass see NewtonSolver: the norm of the residual is its
    * @param tolerance of the relative residual
    * @param mapping the strain, small here, and its volumetric part
-   * @param walls off the grid, in contact; null: none
+   * @param resistances beside soil and penalty supports: walls off the grid
    */
   template <int dim>
   GravityReport
@@ -46,7 +45,7 @@ namespace Waker
                const MappingParameters &mapping,
                NodalState              &nodes,
                MaterialPoints<dim>     &points,
-               const Walls<dim>        *walls = nullptr);
+               const Resistances<dim>  &resistances = {});
 } // namespace Waker
 
 #endif

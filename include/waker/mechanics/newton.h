@@ -2,17 +2,13 @@
 #ifndef waker_mechanics_newton_h
 #define waker_mechanics_newton_h
 
-#include <waker/boundary/wall.h>
-#include <waker/mechanics/consistent_tangent.h>
 #include <waker/mechanics/direct_solver.h>
-#include <waker/mechanics/double_mapped_tangent.h>
-#include <waker/mechanics/ghost_stiffness.h>
 #include <waker/mechanics/parameters.h>
-#include <waker/mechanics/stress_update.h>
 #include <waker/mechanics/system_operator.h>
 #include <waker/nodes/fixities.h>
 #include <waker/nodes/nodal_state.h>
 #include <waker/nodes/reached_nodes.h>
+#include <waker/nodes/resistance.h>
 
 #include <memory>
 
@@ -32,15 +28,16 @@ namespace Waker
   enum class LinearMethod
   {
     krylov, // GMRES (conjugate gradients if the tangent is symmetric)
-    direct  // 2D: a factorisation. 3D: conjugate gradients, then GMRES
+    direct, // 2D: a factorisation. 3D: conjugate gradients, then GMRES
+    elastic // the same, of a linear body: one matrix for all iterations
   };
 
   /**
    * Newton's method for the equations of a step,
-   *   R(u) = r (s F_ext - F_int(u)) - M (k u - q) - springs (u - g) = 0,
-   * on the equations that are not removed (eq. 2.23 of Remmerswaal 2023).
-   * The force of walls off the grid counts with F_int, and is left in the
-   * nodes' internal force.
+   *   R(u) = r (s F_ext - F_int(u)) - M (k u - q) - F_sup(u) = 0,
+   * on the equations that are not removed (eq. 2.23 of Remmerswaal 2023). F_int
+   * and F_sup are the sums of the resistances' forces (nodes/resistance.h);
+   * F_int is left in the nodes' internal force.
    *
    * Convergence is measured by sqrt(sum_i phi_i |R_i|^2) relative to the same
    * norm of the external, internal and inertial forces, where phi_i = m_i / m
@@ -57,17 +54,12 @@ namespace Waker
   public:
     /// All references must outlive this object.
     /// @param full_node_mass mass of a node inside the body (Mg)
-    /// @param walls off the grid, in contact as of the step; null: none
-    /// @param ghost set to the nodes' mass; null: none
     /// @param method direct where there is no inertia to help a Krylov method
-    NewtonSolver(const Weights<dim>        &weights,
+    NewtonSolver(const BackgroundGrid<dim> &grid,
                  const Fixities<dim>       &fixities,
                  const NewtonParameters    &parameters,
                  const double               full_node_mass,
-                 const Springs             &springs,
-                 const LinearMethod         method = LinearMethod::krylov,
-                 const Walls<dim>          *walls  = nullptr,
-                 const GhostStiffness<dim> *ghost  = nullptr);
+                 const LinearMethod         method = LinearMethod::krylov);
 
     /// The inertia term M (k u - q), the ramp r and the load factor s.
     struct Inertia
@@ -79,54 +71,50 @@ namespace Waker
     };
 
     /**
+     * @param resistances of the step, which has begun
      * @param nodes in: mass, external_force, increment (the first guess, with
      *        prescribed values in the removed dofs); out: increment,
      *        internal_force
-     * @param spring_targets g of the penalty dofs (m)
      */
     NewtonReport
-    solve(const MaterialPoints<dim> &points,
-          const Inertia             &inertia,
-          const std::vector<double> &spring_targets,
-          StressUpdate<dim>         &stress_update,
-          NodalState                &nodes);
+    solve(const Resistances<dim> &resistances,
+          const Inertia          &inertia,
+          NodalState             &nodes);
 
   private:
+    /// The forces of the resistances at the nodes' increment.
+    void
+    set_forces(const Resistances<dim> &resistances, NodalState &nodes);
+
     /// R and its relative norm.
     double
-    residual(const Inertia             &inertia,
-             const std::vector<double> &spring_targets,
-             const NodalState          &nodes);
+    residual(const Inertia &inertia, const NodalState &nodes);
 
     /// Norm of the residual, by its last reference.
     double
     norm_of_residual(const std::vector<double> &mass) const;
 
-    /// One linear system, after the tangent has been linearised. A direct
+    /// One linear system, after the resistances have been linearised. A direct
     /// solver leaves in R what it could solve for.
     LinearReport
-    solve_linear(const Operator   &stiffness,
-                 const Inertia    &inertia,
-                 const NodalState &nodes,
-                 const bool        first,
-                 const double      norm);
+    solve_linear(const Resistances<dim> &resistances,
+                 const Inertia          &inertia,
+                 const NodalState       &nodes,
+                 const bool              first,
+                 const double            norm);
 
-    const Fixities<dim>       *fixities;
-    NewtonParameters           parameters;
-    double                     full_node_mass;
-    Springs                    springs;
-    ConsistentTangent<dim>     consistent;
-    DoubleMappedTangent<dim>   double_mapped;
-    LinearSolver               linear_solver;
-    ReachedNodes               reached;
-    NodalVector                R;
-    double                     reference = 0.; // square of R's, kN^2
-    NodalVector                correction;
-    LinearMethod               method;
-    const Walls<dim>          *walls;
-    NodalVector                wall_force; // less that of the walls, kN
-    const GhostStiffness<dim> *ghost;
-    /// Only with LinearMethod::direct in 2D.
+    const Fixities<dim> *fixities;
+    NewtonParameters     parameters;
+    double               full_node_mass;
+    LinearMethod         method;
+    LinearSolver         linear_solver;
+    ReachedNodes         reached;
+    NodalVector          R;
+    double               reference = 0.; // square of R's, kN^2
+    NodalVector          correction;
+    /// Of the resistances that are loads, and of supports (kN); empty without.
+    NodalVector load_force, support_force;
+    /// Only in 2D, unless the method is krylov.
     std::unique_ptr<DirectSolver<dim>> direct_solver;
   };
 } // namespace Waker

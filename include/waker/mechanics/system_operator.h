@@ -5,48 +5,37 @@
 #include <deal.II/lac/diagonal_matrix.h>
 
 #include <waker/mechanics/gmres.h>
-#include <waker/nodes/fixities.h>
 #include <waker/nodes/operator.h>
+#include <waker/nodes/reached_nodes.h>
+#include <waker/nodes/resistance.h>
 
 #include <vector>
 
 namespace Waker
 {
-  /// Springs that hold dofs: the penalty form of a support.
-  struct Springs
-  {
-    std::vector<unsigned int> dofs;
-    std::vector<double>       stiffness; // kN/m
-  };
-
-  /// The springs of the fixities' penalty dofs, on a grid with cells of h.
-  /// @param modulus the stiffest K + 4G/3 (kPa)
-  template <int dim>
-  Springs
-  make_springs(const Fixities<dim> &fixities,
-               const double         modulus,
-               const double         h);
-
   /**
-   * K* = r K + k M + penalty springs on the equations that are not removed
-   * (eq. 2.24 of Remmerswaal 2023, with the residual ramp r).
+   * K* = r K + k M + K_sup on the equations that are not removed (eq. 2.24 of
+   * Remmerswaal 2023, with the residual ramp r): K the resistances of and on
+   * the body, K_sup those of supports.
    */
+  template <int dim>
   class SystemOperator : public Operator
   {
   public:
     /**
-     * @param stiffness K; must outlive this object, as all arguments
+     * @param resistances linearised; must outlive this object, as all arguments
      * @param ramp r
      * @param inertia k: 4 / dt^2 for Newmark, 0 in a static step
      * @param mass lumped, Mg, one per node (dim dofs each)
+     * @param reached the nodes that it reaches
      * @param removed the dofs whose equations are removed
      */
-    SystemOperator(const Operator                  &stiffness,
+    SystemOperator(const Resistances<dim>          &resistances,
                    const double                     ramp,
                    const double                     inertia,
                    const std::vector<double>       &mass,
-                   const std::vector<unsigned int> &removed,
-                   const Springs                   &springs);
+                   const ReachedNodes              &reached,
+                   const std::vector<unsigned int> &removed);
 
     void
     vmult(NodalVector &dst, const NodalVector &src) const override;
@@ -55,19 +44,51 @@ namespace Waker
     add_diagonal(NodalVector &diagonal) const override;
 
     bool
-    is_symmetric() const override
-    {
-      return stiffness->is_symmetric();
-    }
+    is_symmetric() const override;
 
   private:
-    const Operator                  *stiffness;
+    const Resistances<dim>          *resistances;
     double                           ramp;
     double                           inertia;
     const std::vector<double>       *mass;
+    const ReachedNodes              *reached;
     const std::vector<unsigned int> *removed;
-    const Springs                   *springs;
     mutable NodalVector              stiffness_diagonal; // work space
+  };
+
+
+  /**
+   * A + s |diag A|, taken for symmetric: a static stiffness that conjugate
+   * gradients may try, though it is only nearly so.
+   */
+  class StaticOperator : public Operator
+  {
+  public:
+    /// @param A must outlive this object
+    /// @param like a vector of its size
+    /// @param shift s; it does not count in add_diagonal()
+    StaticOperator(const Operator    &A,
+                   const NodalVector &like,
+                   const double       shift);
+
+    void
+    vmult(NodalVector &dst, const NodalVector &src) const override;
+
+    void
+    add_diagonal(NodalVector &diagonal) const override
+    {
+      A.add_diagonal(diagonal);
+    }
+
+    bool
+    is_symmetric() const override
+    {
+      return true;
+    }
+
+  private:
+    const Operator &A;
+    NodalVector     shift; // s |diag A|, empty if there is none
   };
 
 

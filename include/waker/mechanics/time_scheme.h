@@ -2,10 +2,12 @@
 #ifndef waker_mechanics_time_scheme_h
 #define waker_mechanics_time_scheme_h
 
-#include <waker/mechanics/newton.h>
+#include <waker/mapping/weights.h>
 #include <waker/mechanics/parameters.h>
 #include <waker/mechanics/stress_update.h>
+#include <waker/nodes/fixities.h>
 #include <waker/nodes/nodal_state.h>
+#include <waker/nodes/resistance.h>
 
 #include <memory>
 
@@ -37,13 +39,37 @@ namespace Waker
 
     /// Stretched support domains that were held at the length of a cell.
     std::size_t held_domains = 0;
+
+    /// @param time the end of the step (s)
+    /// @throws NumericalFailure with the name of what is no number: a
+    ///         comparison with it is false, and would pass for rest
+    void
+    check_finite(const double time) const;
   };
+
+
+  /// What the rest of the house may ask about a time scheme.
+  struct SchemeTraits
+  {
+    /// Is it a motion, which can come to rest? Else each step is in balance.
+    bool has_inertia = true;
+    /// Does it solve for the end of a step as long as the user wants? Else it
+    /// takes stable steps of its own, in which the forces are those at the
+    /// start.
+    bool is_implicit = true;
+    /// Does the material move, or do only its stresses change?
+    bool moves_points = true;
+  };
+
+  /// Of the scheme that the parameters choose.
+  SchemeTraits
+  scheme_traits(const TimeParameters &time);
 
 
   /**
    * One step in time. `solve` finds the motion of the nodes and leaves the
    * points alone, so that a step that fails can be tried again, shorter;
-   * `update_points` carries it to the points.
+   * `to_points` carries it to the points.
    */
   template <int dim>
   class TimeScheme
@@ -62,19 +88,18 @@ namespace Waker
      */
     virtual StepReport<dim>
     solve(const MaterialPoints<dim> &points,
-          const Weights<dim>        &weights,
           const double               t,
           const double               dt,
           NodalState                &nodes) = 0;
 
-    /// Stresses, positions and velocities of the points; completes the report.
+    /// Stresses, positions and velocities of the points, and what else the
+    /// resistances carry; completes the report.
     virtual void
-    update_points(const Weights<dim>  &weights,
-                  const double         t,
-                  const double         dt,
-                  NodalState          &nodes,
-                  MaterialPoints<dim> &points,
-                  StepReport<dim>     &report) = 0;
+    to_points(const double         t,
+              const double         dt,
+              NodalState          &nodes,
+              MaterialPoints<dim> &points,
+              StepReport<dim>     &report) = 0;
   };
 
 
@@ -89,9 +114,13 @@ namespace Waker
     const TimeParameters      &time;
     const NewtonParameters    &newton;
     const MappingParameters   &mapping;
-    double                     gravity;         // m/s^2
-    double                     full_node_mass;  // Mg
-    const Walls<dim>          *walls = nullptr; // off the grid, if any
+    double                     gravity;        // m/s^2
+    double                     full_node_mass; // Mg
+    /// Beside soil and penalty supports: walls off the grid.
+    Resistances<dim> resistances = {};
+    /// Are the materials linear, and strains to be small? One matrix will do
+    /// for a static step.
+    bool is_elastic = false;
   };
 
   /**
@@ -116,7 +145,8 @@ namespace Waker
    * Quasi-static load steps, F_ext - F_int(u) = 0 at the end of each. The time
    * is that of the load: weight and loads are multiplied with
    * min(1, t / TimeParameters::load_duration). The points get the velocity of
-   * their displacement, which counts for nothing: there is no inertia.
+   * their displacement, which counts for nothing: there is no inertia. A step
+   * may take no time: loads act, and what is prescribed does not move.
    *
    * Energy: the works are those of the mean of the forces at the start and the
    * end of a step; `mapping_loss` is that of the imbalance which the points'
@@ -130,22 +160,6 @@ namespace Waker
   template <int dim>
   std::unique_ptr<TimeScheme<dim>>
   make_time_scheme(const SchemeInput<dim> &input);
-
-  /// Add the force and the work of penalty springs at the end of a step to its
-  /// report.
-  /// @param targets of the springs' increments (m)
-  template <int dim>
-  void
-  add_spring_reaction(const Springs             &springs,
-                      const std::vector<double> &targets,
-                      const NodalState          &nodes,
-                      StepReport<dim>           &report);
-
-  /// Root mean square rate of displacement of the points (m/s); 0 if none is
-  /// left.
-  /// @param square sum of mass times squared displacement (Mg m^2)
-  double
-  displacement_rate(const double square, const double mass, const double dt);
 
   /// The residual ramp r(t): from 0 at t = 0 to 1 at `duration`; 1 without.
   double

@@ -87,7 +87,7 @@ namespace Waker
 
     const BackgroundGrid<dim>    *grid;
     const Materials              *materials;
-    std::string                   scheme;
+    SchemeTraits                  scheme;
     double                        ramp_duration;
     bool                          has_outflow;
     std::vector<bool>             outflow_faces;

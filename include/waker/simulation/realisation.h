@@ -5,8 +5,11 @@
 #include <waker/control/outcome.h>
 #include <waker/mechanics/time_scheme.h>
 #include <waker/observers/observer.h>
+#include <waker/simulation/carried.h>
 #include <waker/simulation/case.h>
+#include <waker/simulation/scene.h>
 #include <waker/simulation/state.h>
+#include <waker/simulation/step_control.h>
 
 #include <memory>
 
@@ -54,6 +57,8 @@ namespace Waker
     const Case<dim>                 *the_case;
     State<dim>                      *state;
     Scene<dim>                       scene;
+    Carried<dim>                     carried;
+    StepControl<dim>                 control;
     std::unique_ptr<TimeScheme<dim>> scheme;
     StepReport<dim>                  report; // of the last step
   };

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_simulation_carried_h
+#define waker_simulation_carried_h
+
+#include <waker/simulation/case.h>
+#include <waker/simulation/state.h>
+
+namespace Waker
+{
+  /// What the material carries along beside its points: their support domains,
+  /// if they stretch, and the vertices of surfaces and loads that ride.
+  template <int dim>
+  class Carried
+  {
+  public:
+    /// @param the_case must outlive this object
+    explicit Carried(const Case<dim> &the_case);
+
+    /// After a step, of which the points have taken the stress.
+    /// @return number of domains that were held at the length of a cell
+    std::size_t
+    move(const NodalState &nodes, State<dim> &state) const;
+
+  private:
+    const Case<dim> *the_case;
+    bool             stretches, rides;
+  };
+} // namespace Waker
+
+#endif

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_simulation_scene_h
+#define waker_simulation_scene_h
+
+#include <waker/base/time_function.h>
+#include <waker/boundary/facet_load.h>
+#include <waker/boundary/surface_finder.h>
+#include <waker/boundary/tractions.h>
+#include <waker/boundary/wall.h>
+#include <waker/boundary/water_load.h>
+#include <waker/mapping/weights.h>
+#include <waker/nodes/nodal_state.h>
+#include <waker/nodes/resistance.h>
+#include <waker/simulation/case.h>
+#include <waker/simulation/state.h>
+
+#include <string>
+
+namespace Waker
+{
+  /**
+   * The nodes' side of a moment: weights, nodal state, surfaces and loads of
+   * the points as they lie. Work space, made once and used in every step.
+   */
+  template <int dim>
+  class Scene
+  {
+  public:
+    explicit Scene(const Case<dim> &the_case);
+
+    /// Map the points of a state, find the surfaces, load them; and find what
+    /// touches the walls.
+    /// @throws NumericalFailure if what the input allowed at the start is lost
+    void
+    set(State<dim> &state);
+
+    /**
+     * Map the points, find the surfaces, load them.
+     * @param time of the loads (s)
+     * @param vertices that the material carries
+     */
+    void
+    set(const MaterialPoints<dim>  &points,
+        const double                time,
+        const SurfaceVertices<dim> &vertices);
+
+    /// The same at t = 0.
+    void
+    set(const MaterialPoints<dim> &points);
+
+    /// Do loads change in time even if the points do not move?
+    bool
+    loads_move() const;
+
+    /// A step begins: the loads are those at its start.
+    void
+    begin_step();
+
+    /// The loads at the time (s) of its end, on the surfaces at its start; they
+    /// stay as they are if none of them changes in time.
+    void
+    set_end_loads(const MaterialPoints<dim> &points, const double time);
+
+    /// The last time at which one of water, tractions, walls and boundary
+    /// conditions changes (s). Those of which it is not known count as
+    /// `unknown`.
+    double
+    last_load_change(const double unknown = LastChange::unknown) const;
+
+    /// The path of a load that changes between two times on the surfaces found
+    /// last; empty if none does.
+    std::string
+    varying_load(const double from, const double to) const;
+
+    /// Weight, water, tractions and point loads at a time (s), on the surfaces
+    /// found last: the nodes' external force.
+    void
+    set_loads(const MaterialPoints<dim> &points, const double time);
+
+    /// The nodes' internal force, from the stress of the points and the walls
+    /// (kN).
+    void
+    set_internal_force(const MaterialPoints<dim> &points);
+
+    /// What resists the points beside soil and penalty supports.
+    Resistances<dim>
+    resistances();
+
+    /// Level of the water at a time (m).
+    double
+    water_level(const double time) const;
+
+    Weights<dim>       weights;
+    NodalState         nodes;
+    SurfaceFinder<dim> surfaces;
+    WaterLoad<dim>     water;
+    WaterResultant     water_resultant;
+    Tractions<dim>     tractions;
+    Walls<dim>         walls;
+
+  private:
+    const Case<dim> *the_case;
+    TimeFunction     water_rise;
+    FacetLoad<dim>   point_loads;
+  };
+} // namespace Waker
+
+#endif

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_simulation_step_control_h
+#define waker_simulation_step_control_h
+
+#include <waker/mechanics/time_scheme.h>
+#include <waker/simulation/state.h>
+
+namespace Waker
+{
+  /**
+   * The length of a realisation's steps, and the count of its work: a step that
+   * does not converge is tried again with half the length; after some steps
+   * that do, the length is doubled again. Both are kept in the state.
+   */
+  template <int dim>
+  class StepControl
+  {
+  public:
+    /// Both must outlive this object.
+    StepControl(const TimeParameters &parameters, State<dim> &state);
+
+    /// The step that is tried next (s).
+    /// @param wanted by the scheme (s)
+    double
+    next(const double wanted) const;
+
+    /**
+     * Solve a step, shorter and shorter until that converges.
+     * @param attempt solves a step of the given length (s), returns its report
+     * @return the length (s)
+     * @throws NumericalFailure if the smallest one does not converge
+     */
+    template <typename Attempt>
+    double
+    solve(const double wanted, const Attempt &attempt)
+    {
+      while (true)
+        {
+          const double           dt     = next(wanted);
+          const StepReport<dim> &report = attempt(dt);
+          count(report);
+          if (report.converged)
+            return dt;
+          halve(dt, report);
+        }
+    }
+
+    /// The step is done: time goes on, and longer steps may come.
+    void
+    accept(const double dt, const StepReport<dim> &report);
+
+  private:
+    void
+    count(const StepReport<dim> &report);
+
+    void
+    halve(const double dt, const StepReport<dim> &report);
+
+    const TimeParameters *parameters;
+    State<dim>           *state;
+  };
+} // namespace Waker
+
+#endif

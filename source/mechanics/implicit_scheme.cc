@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/mechanics/implicit_scheme.h>
+
+namespace Waker
+{
+  template <int dim>
+  ImplicitScheme<dim>::ImplicitScheme(const SchemeInput<dim> &input,
+                                      const LinearMethod      method)
+    : in(input)
+    , reached(in.grid)
+    , soil(in.weights,
+           StressUpdate<dim>(in.materials,
+                             in.is_elastic
+                               ? make_small_motion<dim>(in.mapping)
+                               : make_point_motion<dim>(in.mapping)),
+           in.newton.tangent)
+    , springs(in.fixities, stiffest_modulus(in.materials), in.grid.cell_size())
+    , newton(in.grid, in.fixities, in.newton, in.full_node_mass, method)
+  {
+    resistances = in.resistances;
+    resistances.insert(resistances.begin(), &soil);
+    if (!springs.empty())
+      resistances.push_back(&springs);
+  }
+
+
+  template <int dim>
+  StepReport<dim>
+  ImplicitScheme<dim>::solve(const MaterialPoints<dim> &points,
+                             const double               t,
+                             const double               dt,
+                             NodalState                &nodes)
+  {
+    reached.reinit(nodes.mass);
+    for (Resistance<dim> *const resistance : resistances)
+      resistance->begin(points, nodes, t, dt);
+
+    in.fixities.removed_increments(t, dt, removed_increments);
+    nodes.increment       = 0.;
+    const Inertia inertia = begin(t, dt, nodes);
+    const auto   &removed = in.fixities.removed_list();
+    for (std::size_t k = 0; k < removed.size(); ++k)
+      nodes.increment.begin()[removed[k]] = removed_increments[k];
+
+    const NewtonReport solved = newton.solve(resistances, inertia, nodes);
+    move_nodes(dt, nodes);
+
+    StepReport<dim> report;
+    report.converged         = solved.converged;
+    report.newton_iterations = solved.iterations;
+    report.linear_iterations = solved.linear_iterations;
+    report.residuals         = solved.residuals;
+    return report;
+  }
+
+
+  template <int dim>
+  void
+  ImplicitScheme<dim>::to_points(const double         t,
+                                 const double         dt,
+                                 NodalState          &nodes,
+                                 MaterialPoints<dim> &points,
+                                 StepReport<dim>     &report)
+  {
+    using Role = typename Resistance<dim>::Role;
+    Tensor<1, dim> reaction;
+    ResistanceWork internal, supports, lost;
+    for (Resistance<dim> *const resistance : resistances)
+      {
+        reaction += resistance->accept(nodes.increment, points);
+        const ResistanceWork work = resistance->work(nodes.increment);
+        const Role           role = resistance->role();
+        if (role != Role::support)
+          internal += work;
+        if (role == Role::support || role == Role::load)
+          supports += work;
+        if (role == Role::remedy)
+          lost += work;
+      }
+    report.mean_plastic_strain = soil.report().plastic_strain;
+    report.dissipation         = soil.report().dissipation;
+    report.elastic_energy      = soil.report().elastic_energy;
+
+    move_points(dt, nodes, points, report);
+    add_works(t, dt, nodes, internal, report);
+    report.reaction += reaction;
+    report.support_work += supports.mean();
+    report.mapping_loss -= lost.mean();
+  }
+
+
+  template class ImplicitScheme<2>;
+  template class ImplicitScheme<3>;
+} // namespace Waker

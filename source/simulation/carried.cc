@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/mechanics/deformation.h>
+#include <waker/mechanics/time_scheme.h>
+#include <waker/simulation/carried.h>
+
+namespace Waker
+{
+  template <int dim>
+  Carried<dim>::Carried(const Case<dim> &the_case)
+    : the_case(&the_case)
+    , stretches(the_case.parameters.mapping.domains == "stretched")
+    , rides(scheme_traits(the_case.parameters.time).moves_points)
+  {}
+
+
+  template <int dim>
+  std::size_t
+  Carried<dim>::move(const NodalState &nodes, State<dim> &state) const
+  {
+    if (rides)
+      for (std::vector<Point<dim>> &vertices : state.surface_vertices)
+        carry_vertices(the_case->grid, nodes, vertices);
+    return stretches ? stretch_domains(the_case->grid.cell_size(), state.points)
+                     : 0;
+  }
+
+
+  template class Carried<2>;
+  template class Carried<3>;
+} // namespace Waker
