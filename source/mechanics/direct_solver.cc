@@ -2,6 +2,7 @@
 #include <waker/base/errors.h>
 #include <waker/mechanics/direct_solver.h>
 
+#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>
 #include <array>
@@ -25,9 +26,11 @@ namespace Waker
   {
     std::vector<Eigen::Triplet<double>>          entries;
     Eigen::SparseMatrix<double>                  matrix;
+    MatrixKind                                   kind = MatrixKind::general;
     Eigen::SparseLU<Eigen::SparseMatrix<double>> lu;
-    Eigen::VectorXd                              rhs, solution;
-    double                                       shift = 0.;
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> ldlt;
+    Eigen::VectorXd                   rhs, solution;
+    double                            shift = 0.;
     std::vector<double>               scale; // 1 / sqrt(D) of each equation
     std::vector<std::array<int, dim>> index; // of the nodes
     std::array<std::vector<unsigned int>, (dim == 2 ? 25 : 125)> colours;
@@ -52,7 +55,9 @@ namespace Waker
 
   template <int dim>
   void
-  DirectSolver<dim>::factorise(const Operator &A, const double shift)
+  DirectSolver<dim>::factorise(const Operator  &A,
+                               const double     shift,
+                               const MatrixKind kind)
   {
     Factors &f = *factors;
     dst        = 0.;
@@ -63,6 +68,7 @@ namespace Waker
     f.entries.clear();
     f.scale.clear();
     f.shift = shift;
+    f.kind  = kind;
     for (auto &colour : f.colours)
       colour.clear();
     for (unsigned int node = 0; node < grid->n_nodes(); ++node)
@@ -135,8 +141,12 @@ namespace Waker
 
     f.matrix.resize(dofs.size(), dofs.size());
     f.matrix.setFromTriplets(f.entries.begin(), f.entries.end());
-    f.lu.compute(f.matrix);
-    if (f.lu.info() != Eigen::Success)
+    const bool is_definite = kind == MatrixKind::definite;
+    if (is_definite)
+      f.ldlt.compute(f.matrix);
+    else
+      f.lu.compute(f.matrix);
+    if ((is_definite ? f.ldlt.info() : f.lu.info()) != Eigen::Success)
       throw NumericalFailure("the stiffness is singular: is the body held by "
                              "a fixed boundary?");
   }
@@ -150,15 +160,19 @@ namespace Waker
     f.rhs.resize(dofs.size());
     for (unsigned int e = 0; e < dofs.size(); ++e)
       f.rhs[e] = f.scale[e] * b.begin()[dofs[e]];
-    f.solution = f.lu.solve(f.rhs);
-    f.rhs -= f.shift * f.solution;
-    f.solution = f.lu.solve(f.rhs);
-    x          = 0.;
-    for (unsigned int e = 0; e < dofs.size(); ++e)
+    if (f.kind == MatrixKind::definite)
+      f.solution = f.ldlt.solve(f.rhs);
+    else
       {
-        x.begin()[dofs[e]] = f.scale[e] * f.solution[e];
-        b.begin()[dofs[e]] = f.rhs[e] / f.scale[e];
+        f.solution = f.lu.solve(f.rhs);
+        f.rhs -= f.shift * f.solution;
+        f.solution = f.lu.solve(f.rhs);
+        for (unsigned int e = 0; e < dofs.size(); ++e)
+          b.begin()[dofs[e]] = f.rhs[e] / f.scale[e];
       }
+    x = 0.;
+    for (unsigned int e = 0; e < dofs.size(); ++e)
+      x.begin()[dofs[e]] = f.scale[e] * f.solution[e];
   }
 
 

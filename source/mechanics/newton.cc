@@ -192,9 +192,10 @@ namespace Waker
     const bool                is_elastic = method == LinearMethod::elastic;
     if (direct_solver)
       {
-        if (first || !is_elastic)
-          direct_solver->factorise(system,
-                                   is_elastic ? elastic_shift : relative_shift);
+        if (!is_elastic)
+          direct_solver->factorise(system, relative_shift);
+        else if (first)
+          direct_solver->factorise(system, elastic_shift, MatrixKind::definite);
         direct_solver->solve(correction, R);
         return {1, true};
       }
@@ -255,8 +256,7 @@ namespace Waker
           solve_linear(resistances, inertia, nodes, first, norm);
         report.linear_iterations += linear.iterations;
         ++report.iterations;
-        if (direct_solver && method == LinearMethod::direct &&
-            norm < unsolvable_limit &&
+        if (direct_solver && norm < unsolvable_limit &&
             norm_of_residual(nodes.mass) <= parameters.tolerance)
           {
             report.residuals.push_back(norm_of_residual(nodes.mass));

@@ -10,11 +10,18 @@
 
 namespace Waker
 {
+  /// What a matrix is.
+  enum class MatrixKind
+  {
+    general, // perhaps unsymmetric or indefinite: LU
+    definite // symmetric and positive: LDL^T, a fraction of the time
+  };
+
+
   /**
-   * A x = b by a sparse factorisation (LU, so A may be unsymmetric or
-   * indefinite), for operators that couple nodes at most two apart in each
-   * direction: the matrix is read from products with 5^dim dim vectors, in
-   * each of which the unit entries are too far apart to meet.
+   * A x = b by a sparse factorisation, for operators that couple nodes at most
+   * two apart in each direction: the matrix is read from products with 5^dim
+   * dim vectors, in each of which the unit entries are too far apart to meet.
    *
    * In a static step some motions of nodes that only one support domain touches
    * have no stiffness, or so little that it means nothing. `shift` times its
@@ -24,6 +31,9 @@ namespace Waker
    * Rows and columns are scaled by D: some nodes have next to nothing of it.
    * Motions much stiffer than s D are solved for but for a share of
    * (s D / A)^2, those much softer stay as they are.
+   *
+   * Of a definite matrix x = B b, for one factorisation that serves several
+   * iterations: they take the shift away.
    */
   template <int dim>
   class DirectSolver
@@ -38,10 +48,13 @@ namespace Waker
     /// than round-off of the largest.
     /// @throws NumericalFailure if the matrix is singular
     void
-    factorise(const Operator &A, const double shift);
+    factorise(const Operator  &A,
+              const double     shift,
+              const MatrixKind kind = MatrixKind::general);
 
     /// x as above, zero where there is no equation.
     /// @param b out: the part of it that the stiffness can carry, b - s D B b
+    ///        (as it is, if the matrix is definite)
     void
     solve(NodalVector &x, NodalVector &b);
 
