@@ -13,9 +13,9 @@ using namespace Waker;
 
 namespace
 {
-  struct Setup
+  struct Surroundings
   {
-    Setup()
+    Surroundings()
     {
       time.end_time         = 10.;
       time.maximum_halvings = 3;
@@ -48,7 +48,7 @@ namespace
 
 TEST(StepControl, halves_and_doubles)
 {
-  Setup setup;
+  Surroundings setup;
   EXPECT_EQ(setup.step(1.), 1.);
   EXPECT_EQ(setup.step(0.3), 0.25);
   EXPECT_EQ(setup.tried, (std::vector<double>{1., 1., 0.5, 0.25}));
@@ -69,7 +69,7 @@ TEST(StepControl, halves_and_doubles)
 
 TEST(StepControl, the_last_step_ends_at_the_end)
 {
-  Setup setup;
+  Surroundings setup;
   setup.state.time = 9.7;
   EXPECT_NEAR(setup.step(1.), 0.3, 1e-14);
 }
@@ -77,7 +77,7 @@ TEST(StepControl, the_last_step_ends_at_the_end)
 
 TEST(StepControl, gives_up)
 {
-  Setup setup;
+  Surroundings setup;
   setup.state.time = 2.;
   try
     {
