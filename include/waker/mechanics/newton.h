@@ -47,6 +47,8 @@ namespace Waker
    * in uniform motion has no force to compare with. So has, in a static step,
    * a small one of which only motions without stiffness are left
    * (DirectSolver).
+   * Where nothing but supports acts on a body without inertia, the forces of
+   * the supports are what the residual is compared with.
    */
   template <int dim>
   class NewtonSolver
