@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
 #include <waker/base/numbers.h>
+#include <waker/base/read_file.h>
 #include <waker/base/text.h>
 #include <waker/boundary/user_surface.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
 #include <map>
 #include <sstream>
 
@@ -24,18 +23,21 @@ namespace Waker
         throw UserError(path,
                         "is empty",
                         "the file with the surface that is loaded");
-      errno = 0;
-      std::ifstream      stream(file, std::ios::binary);
-      std::ostringstream text;
-      // Of a folder nothing can be read.
-      if (!stream || !(text << stream.rdbuf()))
-        throw UserError(path,
-                        "\"" + file + "\" cannot be read" +
-                          (errno != 0 ? std::string(": ") + std::strerror(errno)
-                                      : std::string(": it holds nothing")),
-                        "a file; names are relative to the folder in which "
-                        "waker is started");
-      return without_byte_order_mark(text.str());
+      try
+        {
+          const std::string text = read_input_file(file);
+          if (text.empty())
+            throw UserError(file, "holds nothing", "a file that holds one");
+          return without_byte_order_mark(text);
+        }
+      catch (const UserError &error)
+        {
+          throw UserError(path,
+                          "\"" + file + "\" " + error.problem,
+                          error.allowed +
+                            "; names are relative to the folder in which waker "
+                            "is started");
+        }
     }
 
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
 #include <waker/base/numbers.h>
+#include <waker/base/read_file.h>
 #include <waker/base/text.h>
 #include <waker/fields/measurements.h>
 
 #include <algorithm>
-#include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -55,12 +55,19 @@ namespace Waker
   std::vector<Measurement>
   read_measurements(const std::string &file, const FieldLattice &lattice)
   {
-    std::ifstream in(file);
-    if (!in)
-      throw UserError(file,
-                      "the measurements cannot be read",
-                      "a file with \"" + std::string(columns(lattice.dim)) +
-                        "\" in each line");
+    std::string text;
+    try
+      {
+        text = read_input_file(file);
+      }
+    catch (const UserError &error)
+      {
+        throw UserError(file,
+                        "the measurements: " + error.problem,
+                        error.allowed + " with \"" + columns(lattice.dim) +
+                          "\" in each line");
+      }
+    std::istringstream in(text);
 
     std::vector<Measurement> measurements;
     bool                     header_possible = true;

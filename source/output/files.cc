@@ -8,24 +8,75 @@
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <unistd.h>
 
 namespace Waker
 {
   namespace
   {
+    // A signal ends a call of the system that waits (see program/compute.cc):
+    // each one is begun again.
+
+    /// fsync. @return false, with errno
+    bool
+    sync_descriptor(const int descriptor)
+    {
+      int result;
+      do
+        result = ::fsync(descriptor);
+      while (result != 0 && errno == EINTR);
+      return result == 0;
+    }
+
+
     /// fsync of a file or folder, by name.
     bool
     sync_path(const std::string &path)
     {
-      const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+      int descriptor;
+      do
+        descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+      while (descriptor < 0 && errno == EINTR);
       if (descriptor < 0)
         return false;
-      const bool good = ::fsync(descriptor) == 0;
+      const bool good = sync_descriptor(descriptor);
       ::close(descriptor);
       return good;
+    }
+
+
+    /// @return -1, with errno, if there is something of that name
+    int
+    create_new(const std::string &path)
+    {
+      int descriptor;
+      do
+        descriptor =
+          ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+      while (descriptor < 0 && errno == EINTR);
+      return descriptor;
+    }
+
+
+    /// @return how many bytes were written; if not all, with errno
+    std::size_t
+    write_all(const int descriptor, const std::string &text)
+    {
+      // One call takes the whole text, unless the disk becomes full in it.
+      std::size_t written = 0;
+      while (written < text.size())
+        {
+          const ssize_t n =
+            ::write(descriptor, text.data() + written, text.size() - written);
+          if (n > 0)
+            written += static_cast<std::size_t>(n);
+          else if (n == 0 || errno != EINTR)
+            {
+              errno = n == 0 ? ENOSPC : errno;
+              break;
+            }
+        }
+      return written;
     }
   } // namespace
 
@@ -49,6 +100,17 @@ namespace Waker
 
 
   void
+  throw_no_regular_file(const std::string &path, const std::string &kind)
+  {
+    throw UserError("Output/Directory",
+                    "'" + path + "' is no regular file, but " + kind +
+                      ", in place of what a run writes",
+                    "a folder without it: remove it, or take another folder");
+  }
+
+
+
+  void
   make_folder(const std::string &path)
   {
     std::error_code error;
@@ -66,30 +128,26 @@ namespace Waker
   {
     // A name of our own: the tasks of a job array may write the same file at
     // the same time. One that a killed process has left stays.
-    std::string temporary = path + ".tmp";
-    std::FILE  *file      = std::fopen(temporary.c_str(), "wbx");
-    for (unsigned int number = 1; file == nullptr && errno == EEXIST; ++number)
+    std::string temporary  = path + ".tmp";
+    int         descriptor = create_new(temporary);
+    for (unsigned int number = 1; descriptor < 0 && errno == EEXIST; ++number)
       {
-        temporary = path + "." + std::to_string(number) + ".tmp";
-        file      = std::fopen(temporary.c_str(), "wbx");
+        temporary  = path + "." + std::to_string(number) + ".tmp";
+        descriptor = create_new(temporary);
       }
-    if (file == nullptr)
+    if (descriptor < 0)
       throw_cannot_write(temporary, errno);
 
-    bool good =
-      std::fwrite(contents.data(), 1, contents.size(), file) == contents.size();
-    good      = std::fflush(file) == 0 && good;
-    good      = good && (!to_disk || ::fsync(::fileno(file)) == 0);
-    int error = good ? 0 : errno;
-    if (std::fclose(file) != 0 && good)
+    const bool written = write_all(descriptor, contents) == contents.size() &&
+                         (!to_disk || sync_descriptor(descriptor));
+    int error = written ? 0 : errno;
+    // A signal in it does not leave it open.
+    if (::close(descriptor) != 0 && error == 0 && errno != EINTR)
+      error = errno;
+    if (error == 0 && std::rename(temporary.c_str(), path.c_str()) != 0)
+      error = errno;
+    if (error != 0)
       {
-        good  = false;
-        error = errno;
-      }
-    if (!good || std::rename(temporary.c_str(), path.c_str()) != 0)
-      {
-        if (good)
-          error = errno;
         std::remove(temporary.c_str());
         throw_cannot_write(path, error);
       }
@@ -101,29 +159,6 @@ namespace Waker
         sync_path(slash == std::string::npos ? std::string(".")
                                              : path.substr(0, slash + 1));
       }
-  }
-
-
-
-  std::string
-  read_file(const std::string &path)
-  {
-    const auto refuse = [&path](const std::string &why) {
-      throw UserError(path, "cannot be read" + why, "a readable file");
-    };
-    std::error_code error;
-    if (std::filesystem::is_directory(path, error))
-      refuse(": it is a folder");
-    errno = 0;
-    std::ifstream file(path, std::ios::binary);
-    if (!file)
-      refuse(errno != 0 ? std::string(": ") + std::strerror(errno) : "");
-    std::ostringstream contents;
-    if (file.peek() != std::ifstream::traits_type::eof())
-      contents << file.rdbuf();
-    if (file.bad() || contents.fail())
-      refuse(errno != 0 ? std::string(": ") + std::strerror(errno) : "");
-    return contents.str();
   }
 
 
@@ -141,10 +176,14 @@ namespace Waker
   AppendFile::AppendFile(const std::string &path, const bool empty)
     : name(path)
   {
+    const std::string kind = kind_of_irregular_file(path);
+    if (!kind.empty())
+      throw_no_regular_file(path, kind);
+    // Not to wait for a reader of what has become a pipe since.
     do
       descriptor = ::open(path.c_str(),
                           O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC |
-                            O_NOFOLLOW | (empty ? O_TRUNC : 0),
+                            O_NOFOLLOW | O_NONBLOCK | (empty ? O_TRUNC : 0),
                           0666);
     while (descriptor < 0 && errno == EINTR);
     if (descriptor < 0)
@@ -173,24 +212,15 @@ namespace Waker
   bool
   AppendFile::write(const std::string &text)
   {
-    // One call takes the whole text, unless the disk becomes full in it.
-    std::size_t written = 0;
-    while (written < text.size())
+    if (write_all(descriptor, text) < text.size())
       {
-        const ssize_t n =
-          ::write(descriptor, text.data() + written, text.size() - written);
-        if (n > 0)
-          written += static_cast<std::size_t>(n);
-        else if (n == 0 || errno != EINTR)
-          {
-            const int error = n == 0 ? ENOSPC : errno;
-            // A part of a line would spoil the next one. If this fails, too,
-            // then readers drop the part.
-            if (::ftruncate(descriptor, static_cast<off_t>(length)) != 0)
-              {}
-            errno = error;
-            return false;
-          }
+        const int error = errno;
+        // A part of a line would spoil the next one. If this fails, too, then
+        // readers drop the part.
+        if (::ftruncate(descriptor, static_cast<off_t>(length)) != 0)
+          {}
+        errno = error;
+        return false;
       }
     length += text.size();
     return true;
@@ -201,7 +231,7 @@ namespace Waker
   bool
   AppendFile::sync()
   {
-    // Pipes and devices cannot.
-    return ::fsync(descriptor) == 0 || errno == EINVAL;
+    // Some file systems cannot.
+    return sync_descriptor(descriptor) || errno == EINVAL;
   }
 } // namespace Waker

@@ -33,6 +33,24 @@ namespace Waker
     }
 
 
+    /// Never waits, as for the other end of a pipe. @return -1, with errno
+    /// @throws UserError "Output/Directory" of what is no regular file
+    int
+    open_lock(const std::string &path, const int flags)
+    {
+      const std::string kind = kind_of_irregular_file(path);
+      if (!kind.empty())
+        throw_no_regular_file(path, kind);
+      int descriptor;
+      do
+        descriptor = ::open(path.c_str(),
+                            flags | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK,
+                            0666);
+      while (descriptor < 0 && errno == EINTR);
+      return descriptor;
+    }
+
+
     /// @return false if the file does not say
     bool
     read_holder(const int descriptor, LockHolder &holder)
@@ -120,10 +138,7 @@ namespace Waker
   {
     while (true)
       {
-        descriptor =
-          ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
-        if (descriptor < 0 && errno == EINTR)
-          continue;
+        descriptor = open_lock(path, O_RDWR | O_CREAT);
         if (descriptor < 0)
           throw_cannot_write(path, errno);
         const Kernel kernel = try_lock(descriptor, LOCK_EX, 50);
@@ -203,8 +218,7 @@ namespace Waker
   FolderLock::State
   FolderLock::look(const std::string &path, LockHolder &holder)
   {
-    const int descriptor =
-      ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
+    const int descriptor = open_lock(path, O_RDONLY);
     if (descriptor < 0)
       return State::ours; // nobody's
     const State state =
@@ -217,8 +231,7 @@ namespace Waker
   bool
   FolderLock::remove_dead(const std::string &path)
   {
-    const int descriptor =
-      ::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW);
+    const int descriptor = open_lock(path, O_RDWR);
     if (descriptor < 0)
       return errno == ENOENT;
     const Kernel kernel = try_lock(descriptor, LOCK_EX, 3);

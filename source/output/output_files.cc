@@ -72,6 +72,26 @@ namespace Waker
     }
 
 
+    /// @throws UserError of a subfolder that is none
+    void
+    require_folders(const std::string &folder, const OwnFiles &files)
+    {
+      std::error_code error;
+      fs::path        path(folder);
+      if (!files.subfolder.empty())
+        for (const fs::path &part : fs::path(files.subfolder))
+          {
+            path /= part;
+            if (fs::exists(path, error) && !fs::is_directory(path, error))
+              throw UserError("Output/Directory",
+                              "'" + path.string() +
+                                "' is no folder, in place of one of a run's",
+                              "a folder without it: remove it, or take another "
+                              "folder");
+          }
+    }
+
+
     /// The first folder on the way into a subfolder that is a link; or nothing.
     std::string
     link_on_the_way(const std::string &folder, const OwnFiles &files)
@@ -197,7 +217,8 @@ namespace Waker
 
 
   void
-  refuse_links(const std::string &folder, const std::vector<OwnFiles> &files)
+  refuse_other_kinds(const std::string           &folder,
+                     const std::vector<OwnFiles> &files)
   {
     const auto refuse = [](const std::string &path) {
       throw UserError(
@@ -211,11 +232,19 @@ namespace Waker
         const std::string link = link_on_the_way(folder, own);
         if (!link.empty())
           refuse(link);
+        require_folders(folder, own);
         for_each_file(folder, own, [&](const fs::path &path) {
           if (is_link(path.string()))
             refuse(path.string());
+          const std::string kind = kind_of_irregular_file(path.string());
+          if (!kind.empty())
+            throw_no_regular_file(path.string(), kind);
         });
       }
+    const std::string lock = join_path(folder, lock_name);
+    const std::string kind = kind_of_irregular_file(lock);
+    if (!kind.empty())
+      throw_no_regular_file(lock, kind);
   }
 
 

@@ -101,7 +101,7 @@ namespace Waker
       refuse("'" + directory + "' is not empty",
              "an empty or new folder; or --overwrite, or --resume");
     if (mode != FolderMode::must_be_new)
-      refuse_links(directory, files_of_run());
+      refuse_other_kinds(directory, files_of_run());
   }
 
 
@@ -129,7 +129,7 @@ namespace Waker
       refuse("'" + directory + "' is not empty any more",
              "an empty or new folder; or --overwrite, or --resume");
     if (mode != FolderMode::must_be_new)
-      refuse_links(directory, files_of_run());
+      refuse_other_kinds(directory, files_of_run());
     if (mode == FolderMode::overwrite)
       remove_files(directory, files_of_run());
     else if (mode == FolderMode::resume)

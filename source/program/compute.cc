@@ -11,6 +11,7 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <signal.h>
 #include <unistd.h>
 
 namespace Waker
@@ -33,15 +34,20 @@ namespace Waker
       if (something_is_written == 0)
         _exit(signal_offset + signal);
       received_signal = signal;
-      std::signal(signal, SIG_DFL); // the second one ends at once
     }
 
 
     void
     obey_signals()
     {
-      std::signal(SIGINT, note_signal);
-      std::signal(SIGTERM, note_signal);
+      struct sigaction action = {};
+      action.sa_handler       = note_signal;
+      sigemptyset(&action.sa_mask);
+      // The second one ends at once. No SA_RESTART: a call of the system that
+      // waits (for another host's disk, say) ends, too.
+      action.sa_flags = SA_RESETHAND;
+      sigaction(SIGINT, &action, nullptr);
+      sigaction(SIGTERM, &action, nullptr);
     }
 
 
@@ -185,10 +191,16 @@ namespace Waker
       options.last           = line.last;
       options.interrupt      = &received_signal;
       options.before_writing = begin_writing;
-      return exit_code(run_campaign<dim>(scenarios, options, MPI_COMM_WORLD) ==
-                           CampaignStatus::completed
-                         ? RunStatus::completed
-                         : RunStatus::interrupted);
+      switch (run_campaign<dim>(scenarios, options, MPI_COMM_WORLD))
+        {
+          case CampaignStatus::completed:
+            return exit_code(RunStatus::completed);
+          case CampaignStatus::no_result:
+            return exit_code(RunStatus::numerical_failure);
+          case CampaignStatus::interrupted:
+            return exit_code(RunStatus::interrupted);
+        }
+      return internal_error;
     }
 
 

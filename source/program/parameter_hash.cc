@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
 #include <waker/base/hash.h>
-#include <waker/output/files.h>
+#include <waker/base/read_file.h>
 #include <waker/program/parameter_hash.h>
 
 #include <algorithm>
@@ -51,7 +51,7 @@ namespace Waker
     {
       try
         {
-          return read_file(parameter.value);
+          return read_input_file(parameter.value);
         }
       catch (const UserError &error)
         {

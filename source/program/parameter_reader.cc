@@ -2,6 +2,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <waker/base/errors.h>
+#include <waker/base/read_file.h>
 #include <waker/program/declared_parameters.h>
 #include <waker/program/parameter_hash.h>
 #include <waker/program/parameter_names.h>
@@ -12,11 +13,8 @@
 #include <waker/reliability/input.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <sstream>
 
@@ -53,22 +51,29 @@ namespace Waker
     PrmContents
     scan_source(const std::string &source, const std::string &name)
     {
+      const std::string allowed = "a .prm file, or - to read standard input";
+      const auto        scan    = [&name](const std::string &text) {
+        std::istringstream stream(text);
+        return scan_prm(stream, name);
+      };
       if (source == "-")
-        return scan_prm(std::cin, name);
+        return scan(read_input(std::cin, name));
 
       std::error_code error;
       if (std::filesystem::is_directory(source, error))
-        throw UserError(name,
-                        "is a folder",
-                        "a .prm file, or - to read standard input");
-      errno = 0;
-      std::ifstream file(source);
-      if (!file)
-        throw UserError(name,
-                        std::string("cannot be opened: ") +
-                          std::strerror(errno != 0 ? errno : ENOENT),
-                        "a .prm file, or - to read standard input");
-      return scan_prm(file, name);
+        throw UserError(name, "is a folder", allowed);
+      std::string text;
+      try
+        {
+          text = read_input_file(source);
+        }
+      catch (const UserError &problem)
+        {
+          throw UserError(name,
+                          problem.problem,
+                          problem.allowed + ": " + allowed);
+        }
+      return scan(text);
     }
 
 
@@ -111,10 +116,12 @@ namespace Waker
 
   namespace
   {
+    /// @param is_whole it is to be computed, not to be completed by a sweep
     std::unique_ptr<Input>
     make_input(const PrmContents  &contents,
                ParameterLocations &map,
-               const FileContents  files)
+               const FileContents  files,
+               const bool          is_whole = true)
     {
       // First the names, then the subsections that they call for.
       const ParameterNames names = read_names(contents);
@@ -146,6 +153,8 @@ namespace Waker
           map.lines[entry.path()] = entry.where;
         }
 
+      if (!is_whole)
+        return input;
       const std::vector<DeclaredParameter> values = declared_parameters(prm);
       input->simulation.text = text_of_parameters(prm, values);
 
@@ -182,8 +191,57 @@ namespace Waker
 
   namespace
   {
-    /// Does the last scenario differ from those before in what counts, and in
-    /// nothing that all must share?
+    bool
+    has_sweep(const PrmContents &contents)
+    {
+      return std::any_of(contents.entries.begin(),
+                         contents.entries.end(),
+                         [](const PrmEntry &entry) {
+                           return entry.path() == "Sweep/Parameter" &&
+                                  !entry.value.empty();
+                         });
+    }
+
+
+    /// @throws UserError if it cannot differ between the scenarios
+    void
+    check_swept(const std::string &path, const ParameterLocations &map)
+    {
+      if (map.known.count(path) == 0)
+        throw map.located(
+          UserError("Sweep/Parameter",
+                    "is \"" + path + "\", which does not exist",
+                    "the path of a parameter, \"Section/Name\"; "
+                    "waker parameters prints them all"));
+      // What all scenarios share.
+      const std::string section = path.substr(0, path.find('/'));
+      for (const std::string shared :
+           {"Dimension", "Output", "Campaign", "Sweep"})
+        if (section == shared)
+          throw map.located(
+            UserError("Sweep/Parameter",
+                      "is \"" + path + "\", which cannot be swept",
+                      "a parameter of the simulation or its random fields"));
+      if (map.where(path) == "--set " + path)
+        throw UserError("--set " + path,
+                        "is swept: it has another value in each scenario",
+                        "--set \"Sweep/Values=...\"; or, for no sweep, --set "
+                        "Sweep/Parameter= --set Sweep/Values=");
+    }
+
+
+    /// "dyke.prm:12 (Sweep/Values)"
+    std::string
+    place_of_values(const ParameterLocations &map)
+    {
+      const std::string name  = "Sweep/Values";
+      const std::string place = map.where(name);
+      return place.find(name) != std::string::npos ? place
+                                                   : place + " (" + name + ")";
+    }
+
+
+    /// Does the last scenario differ from those before in what counts?
     void
     check_scenario(const std::vector<std::unique_ptr<Input>> &scenarios,
                    const ParameterLocations                  &map)
@@ -197,14 +255,6 @@ namespace Waker
               "\" makes no difference to the realisations",
             "a parameter that decides what they compute, with values that "
             "differ"));
-      if (scenarios[0]->simulation.dimension != last.simulation.dimension ||
-          scenarios[0]->reliability.campaign.seed !=
-            last.reliability.campaign.seed)
-        throw map.located(
-          UserError("Sweep/Parameter",
-                    "is \"" + last.reliability.sweep.parameter +
-                      "\", which all scenarios must share",
-                    "a parameter of the simulation or its random fields"));
     }
   } // namespace
 
@@ -220,24 +270,28 @@ namespace Waker
     const PrmContents   contents = read_contents(source, overrides, map);
 
     std::vector<std::unique_ptr<Input>> scenarios;
-    scenarios.push_back(make_input(contents, map, files));
-    const SweepParameters sweep = scenarios[0]->reliability.sweep;
-    if (sweep.parameter.empty())
-      return scenarios;
+    if (!has_sweep(contents))
+      {
+        scenarios.push_back(make_input(contents, map, files));
+        return scenarios;
+      }
 
+    const SweepParameters sweep =
+      make_input(contents, map, files, false)->reliability.sweep;
+    try
+      {
+        sweep.check();
+      }
+    catch (const UserError &error)
+      {
+        throw map.located(error);
+      }
     const std::string &path = sweep.parameter;
-    if (map.known.count(path) == 0)
-      throw map.located(UserError("Sweep/Parameter",
-                                  "is \"" + path + "\", which does not exist",
-                                  "the path of a parameter, \"Section/Name\"; "
-                                  "waker parameters prints them all"));
-    if (map.where(path) == "--set " + path)
-      throw UserError("--set " + path,
-                      "is swept: it has another value in each scenario",
-                      "--set \"Sweep/Values=...\"; or, for no sweep, --set "
-                      "Sweep/Parameter= --set Sweep/Values=");
+    check_swept(path, map);
+    // Whoever finds a value of it wrong, now or later, means one of these.
+    const std::string place = place_of_values(map);
+    map.lines[path]         = place;
     const std::size_t slash = path.rfind('/');
-    scenarios.clear();
     for (const std::string &value : sweep.list())
       {
         PrmContents        changed = contents;
@@ -247,8 +301,21 @@ namespace Waker
           {{slash == std::string::npos ? "" : path.substr(0, slash),
             path.substr(slash == std::string::npos ? 0 : slash + 1),
             value,
-            map.where("Sweep/Values")}});
-        scenarios.push_back(make_input(changed, unused, files));
+            place}});
+        try
+          {
+            scenarios.push_back(make_input(changed, unused, files));
+          }
+        catch (const UserError &error)
+          {
+            // Where the scenarios before were good only the value can be wrong.
+            if (scenarios.empty() || error.where == place)
+              throw;
+            throw UserError(place,
+                            path + " = " + value + ": " + error.where + ": " +
+                              error.problem,
+                            error.allowed);
+          }
         check_scenario(scenarios, map);
       }
     return scenarios;

@@ -3,8 +3,8 @@
 
 #include <waker/base/errors.h>
 #include <waker/base/hash.h>
+#include <waker/base/read_file.h>
 #include <waker/base/text.h>
-#include <waker/output/files.h>
 #include <waker/program/parameter_text.h>
 #include <waker/program/prm_scanner.h>
 
@@ -57,7 +57,7 @@ namespace Waker
         try
           {
             text << "# contents: " << parameter.path() << " = "
-                 << hash_of_text(read_file(parameter.value)) << "\n";
+                 << hash_of_text(read_input_file(parameter.value)) << "\n";
           }
         catch (const UserError &)
           {

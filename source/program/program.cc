@@ -4,6 +4,7 @@
 #include <waker/base/errors.h>
 #include <waker/base/file_error.h>
 #include <waker/base/log.h>
+#include <waker/base/read_file.h>
 #include <waker/program/command_line.h>
 #include <waker/program/compute.h>
 #include <waker/program/exit_codes.h>
@@ -13,7 +14,6 @@
 #include <waker/reliability/campaign_files.h>
 #include <waker/reliability/campaign_folder.h>
 
-#include <fstream>
 #include <iostream>
 
 namespace Waker
@@ -27,10 +27,17 @@ namespace Waker
       const std::string parameters =
         campaign_path(line.file, CampaignFile::parameters);
       const std::string campaign = campaign_path(line.file, CampaignFile::info);
-      if (!std::ifstream(campaign))
-        throw UserError(line.file,
-                        "holds no campaign: no campaign.json can be read",
-                        "the output folder of waker campaign");
+      try
+        {
+          read_file(campaign);
+        }
+      catch (const UserError &error)
+        {
+          throw UserError(line.file,
+                          "holds no campaign: no campaign.json can be read: " +
+                            error.problem,
+                          "the output folder of waker campaign");
+        }
       // Nothing is computed: the measurements, say, may be gone by now.
       const Scenarios scenarios = read_scenarios(parameters,
                                                  line.overrides,

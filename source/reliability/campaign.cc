@@ -300,9 +300,10 @@ namespace Waker
         return CampaignStatus::interrupted;
       }
     // What one rank sees on a shared disk counts for all.
-    int complete = progress.complete() ? 1 : 0;
-    MPI_Bcast(&complete, 1, MPI_INT, 0, communicator);
-    if (complete == 0)
+    int counts[] = {progress.complete() ? 1 : 0, progress.has_result() ? 1 : 0};
+    MPI_Bcast(counts, 2, MPI_INT, 0, communicator);
+    const bool complete = counts[0] == 1, has_result = counts[1] == 1;
+    if (!complete)
       {
         log.line("Other parts of the campaign are missing or still at work: "
                  "waker status " +
@@ -319,6 +320,12 @@ namespace Waker
         log.line("Interrupted before all snapshots were made; go on with "
                  "--resume.");
         return CampaignStatus::interrupted;
+      }
+    if (!has_result)
+      {
+        log.warning("no realisation gave a result: all of them failed "
+                    "numerically");
+        return CampaignStatus::no_result;
       }
     return CampaignStatus::completed;
   }

@@ -120,7 +120,7 @@ namespace Waker
     if (options.overwrite)
       refuse_writers(folder);
     if (options.overwrite || has_campaign(folder))
-      refuse_links(folder, files_of_campaign(folder));
+      refuse_other_kinds(folder, files_of_campaign(folder));
     const bool joins = options.resume || options.is_part;
     if (options.validate_only && !joins)
       {

@@ -145,6 +145,12 @@ namespace Waker
       throw UserError("Sweep/Values",
                       "is empty",
                       "values of " + parameter + ", separated by semicolons");
+    for (const std::string &item : split(values, ';'))
+      if (item.empty() && !parameter.empty())
+        throw UserError("Sweep/Values",
+                        in_quotes(values) + " has an empty value",
+                        "values of " + parameter +
+                          ", semicolons between them only");
     for (const std::string &item : items)
       if (std::count(items.begin(), items.end(), item) > 1)
         throw UserError("Sweep/Values",

@@ -92,7 +92,12 @@ namespace Waker
                                 std::vector<Record> &records)
   {
     const std::string path = join_path(folder, name);
-    std::error_code   error;
+    const std::string kind = kind_of_irregular_file(path);
+    if (!kind.empty())
+      throw UserError(path,
+                      "is no regular file, but " + kind,
+                      "a journal, as the program wrote it");
+    std::error_code error;
     journal.size = std::filesystem::file_size(path, error);
     if (!error && journal.size <= journal.position)
       return;

@@ -2,6 +2,7 @@
 #include <waker/reliability/intervals.h>
 #include <waker/reliability/progress.h>
 
+#include <algorithm>
 
 namespace Waker
 {
@@ -102,6 +103,17 @@ namespace Waker
                     const std::uint64_t realisation) const
   {
     return scenarios[scenario].realisations[realisation].has_value();
+  }
+
+
+  bool
+  Progress::has_result() const
+  {
+    return std::any_of(scenarios.begin(),
+                       scenarios.end(),
+                       [](const Scenario &scenario) {
+                         return scenario.counts.n > scenario.counts.n_failures;
+                       });
   }
 
 

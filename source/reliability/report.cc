@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/base/log.h>
 #include <waker/output/files.h>
 #include <waker/reliability/campaign_files.h>
 #include <waker/reliability/estimates.h>
@@ -103,7 +104,7 @@ namespace Waker
     std::string text;
     try
       {
-        text = read_file(parameters.level_table);
+        text = read_input_file(parameters.level_table);
       }
     catch (const UserError &error)
       {
@@ -117,6 +118,40 @@ namespace Waker
   }
 
 
+  namespace
+  {
+    /// A larger share of numerical failures may bias what is estimated from
+    /// the others.
+    constexpr double tolerable_failures = 0.05;
+
+
+    std::vector<std::string>
+    all_notes(const CampaignInfo                  &info,
+              const std::vector<AnalysedScenario> &scenarios,
+              const std::vector<FragilityPoint>   &points)
+    {
+      std::vector<std::string> notes;
+      for (const AnalysedScenario &scenario : scenarios)
+        {
+          const ScenarioEstimate e = estimate(*scenario.records);
+          const std::uint64_t    n = e.n + e.n_numerical + e.n_undecided();
+          if (e.n_numerical > tolerable_failures * n)
+            notes.push_back(
+              Log::warning_mark +
+              (info.swept_parameter.empty()
+                 ? ""
+                 : info.swept_parameter + " = " + scenario.info->value + ": ") +
+              std::to_string(e.n_numerical) + " of " + std::to_string(n) +
+              " realisations failed numerically; if these are not like the "
+              "others, the probabilities are biased");
+        }
+      for (const std::string &note : fragility_notes(points))
+        notes.push_back(note);
+      return notes;
+    }
+  } // namespace
+
+
   void
   write_report(const CampaignInfo                     &info,
                const std::vector<std::vector<Record>> &records_by_scenario,
@@ -127,7 +162,7 @@ namespace Waker
     const auto distribution = read_level_distribution(parameters.risk);
     const auto scenarios    = analyse(info, records_by_scenario, parameters);
     const auto points       = fragility_points(info, records_by_scenario);
-    std::vector<std::string>    notes       = fragility_notes(points);
+    std::vector<std::string>    notes = all_notes(info, scenarios, points);
     const std::optional<Yearly> yearly_risk = yearly(
       info.swept_parameter, points, distribution, parameters.risk, notes);
 
@@ -232,7 +267,7 @@ namespace Waker
       }
 
     const auto points = fragility_points(info, records_by_scenario);
-    std::vector<std::string>    notes       = fragility_notes(points);
+    std::vector<std::string>    notes = all_notes(info, scenarios, points);
     const std::optional<Yearly> yearly_risk = yearly(
       info.swept_parameter, points, distribution, parameters.risk, notes);
     if (yearly_risk)

@@ -142,6 +142,28 @@ def files(cases):
     check, edit = cases.check, cases.edit
     check("missing file", "^no.prm$", "No such file", ["run", "no.prm"])
     check("folder", r"^\.$", "is a folder", ["run", "."])
+    # Each would wait for ever, or read without an end. Not in the working
+    # folder, all of which is read.
+    with tempfile.TemporaryDirectory(prefix="waker-") as place:
+        pipe = os.path.join(place, "pipe")
+        os.mkfifo(pipe)
+        for path, kind in ((pipe, "a pipe"), ("/dev/zero", "a device")):
+            what = "is no regular file, but " + kind
+            check(f"parameters from {kind}", f"^{path}$", what, ["run", path])
+            check(f"measurements from {kind}",
+                  "^--set Random fields/strength/Measurements$", what,
+                  ["campaign", random,
+                   *sets(f"Random fields/strength/Measurements={path}")])
+            check(f"levels from {kind}", "^--set Risk/Level table$", what,
+                  ["campaign", random,
+                   *sets("Risk/Level distribution=table",
+                         f"Risk/Level table={path}")])
+            cases.traction(f"surface from {kind}", "Surface file", path, what,
+                           "Tractions/load/Method=user surface")
+        os.rename(pipe, os.path.join(place, "campaign.json"))
+        for command in ("status", "merge"):
+            check(f"{command} of a pipe", f"^{place}$", "but a pipe",
+                  [command, place])
     check("empty input", "^standard input", "no material", ["run", "-"])
     edit("misspelt name", replaced("Cell size", "Cel size"), NUMBER,
          '"Cel size"')

@@ -2,6 +2,7 @@
 #include <waker/base/errors.h>
 #include <waker/base/file_error.h>
 #include <waker/output/files.h>
+#include <waker/output/folder_lock.h>
 #include <waker/output/output_folder.h>
 #include <waker/output/pvd.h>
 #include <waker/output/summary.h>
@@ -9,10 +10,11 @@
 #include "output_temporary_folder.h"
 #include "processes.h"
 #include "user_errors.h"
-#include <cerrno>
+#include <array>
 #include <gtest/gtest.h>
 #include <limits>
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 namespace Waker
 {
@@ -195,6 +197,80 @@ namespace Waker
   }
 
 
+  // A pipe in place of a file made the run wait for its other end, for ever.
+  TEST(Output, what_is_no_regular_file_is_refused)
+  {
+    enum class Kind
+    {
+      pipe,
+      folder,
+      socket
+    };
+    const auto make = [](const std::string &path, const Kind kind) {
+      if (kind == Kind::folder)
+        fs::create_directory(path);
+      else
+        ASSERT_EQ(::mknod(path.c_str(),
+                          (kind == Kind::pipe ? S_IFIFO : S_IFSOCK) | 0600,
+                          0),
+                  0)
+          << path;
+    };
+    const std::array<std::string, 3> words = {
+      {"is no regular file, but a pipe",
+       "is no regular file, but a folder",
+       "is no regular file, but a socket"}};
+    unsigned int n = 0;
+    for (const std::string name : {"statistics",
+                                   "log.txt",
+                                   "summary.json",
+                                   "walls.pvd",
+                                   "statistics.tmp",
+                                   "lock",
+                                   "checkpoints/checkpoint-0.bin",
+                                   "solution/grid-00000.vtu"})
+      for (const Kind kind : {Kind::pipe, Kind::folder, Kind::socket})
+        for (const FolderMode mode :
+             {FolderMode::overwrite, FolderMode::resume})
+          {
+            const TemporaryFolder folder;
+            put(folder.file("parameters.prm"), "mine");
+            fs::create_directories(fs::path(folder.file(name)).parent_path());
+            make(folder.file(name), kind);
+            EXPECT_TRUE(contains(problem(folder.path, mode),
+                                 "'" + folder.file(name) + "' " +
+                                   words.at(static_cast<std::size_t>(kind))))
+              << name;
+            EXPECT_THROW(prepare_output_folder(folder.path, mode, "new"),
+                         UserError);
+            EXPECT_TRUE(fs::exists(folder.file(name)));
+            EXPECT_EQ(get(folder.file("parameters.prm")), "mine");
+            ++n;
+          }
+    EXPECT_EQ(n, 48u);
+
+    // In place of a folder; and what is opened without such a look before.
+    const TemporaryFolder folder;
+    put(folder.file("solution"), "mine");
+    EXPECT_TRUE(contains(problem(folder.path, FolderMode::resume),
+                         "solution' is no folder"));
+    make(folder.file("pipe"), Kind::pipe);
+    const std::string what = "is no regular file, but a pipe";
+    const std::string path = folder.file("pipe");
+    EXPECT_USER_ERROR(AppendFile(path, false), "Output/Directory", what);
+    EXPECT_USER_ERROR(FolderLock(path, "test"), "Output/Directory", what);
+    LockHolder holder;
+    EXPECT_USER_ERROR(FolderLock::look(path, holder), "Output/Directory", what);
+    EXPECT_USER_ERROR(FolderLock::remove_dead(path), "Output/Directory", what);
+
+    // The user's own, under another name, stays.
+    fs::remove(folder.file("solution"));
+    EXPECT_EQ(problem(folder.path, FolderMode::overwrite), "");
+    prepare_output_folder(folder.path, FolderMode::overwrite, "new");
+    EXPECT_TRUE(fs::is_fifo(path));
+  }
+
+
   TEST(Output, folder_itself_may_be_a_link)
   {
     const TemporaryFolder folder;
@@ -248,10 +324,9 @@ namespace Waker
     EXPECT_EQ(get(folder.file("a")), "");
     if (fs::exists("/dev/full"))
       {
-        AppendFile full("/dev/full", false);
-        errno = 0;
-        EXPECT_FALSE(full.write("one\n"));
-        EXPECT_EQ(errno, ENOSPC);
+        EXPECT_USER_ERROR(AppendFile("/dev/full", false),
+                          "Output/Directory",
+                          "'/dev/full' is no regular file, but a device");
       }
 
     // A limit on the size of files takes a part of the text, as a full disk.

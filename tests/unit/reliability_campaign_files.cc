@@ -28,7 +28,7 @@ namespace Waker
     remove_all_of_campaign(const std::string &folder)
     {
       const auto files = files_of_campaign(folder);
-      refuse_links(folder, files);
+      refuse_other_kinds(folder, files);
       remove_files(folder, files);
     }
   } // namespace

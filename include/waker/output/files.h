@@ -2,6 +2,8 @@
 #ifndef waker_output_files_h
 #define waker_output_files_h
 
+#include <waker/base/read_file.h>
+
 #include <cstdint>
 #include <string>
 
@@ -26,13 +28,13 @@ namespace Waker
   [[noreturn]] void
   throw_cannot_write(const std::string &path, const int error);
 
+  /// UserError of a pipe, say, or a folder in place of a file of ours.
+  [[noreturn]] void
+  throw_no_regular_file(const std::string &path, const std::string &kind);
+
   /// Make a folder, and those above it. @throws as throw_cannot_write()
   void
   make_folder(const std::string &path);
-
-  /// The whole file. @throws UserError with its path if it cannot be read
-  std::string
-  read_file(const std::string &path);
 
   /// "folder/name"; just "name" if the folder is empty.
   std::string
@@ -44,7 +46,8 @@ namespace Waker
   {
   public:
     /// @param empty begin anew: what is in it is lost
-    /// @throws UserError "Output/Directory", also of a symbolic link
+    /// @throws UserError "Output/Directory", also of a symbolic link, and of
+    /// what is no regular file
     AppendFile(const std::string &path, const bool empty);
 
     /// Takes over a descriptor, open for appending, of an empty file.

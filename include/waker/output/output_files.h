@@ -83,12 +83,14 @@ namespace Waker
   files_of_run();
 
   /**
+   * Also of the lock.
+   *
    * @throws UserError "Output/Directory" if a subfolder or a file of these is a
    *         symbolic link: what it points to, outside of the folder, would be
-   *         changed
+   *         changed; or a file is no regular one: a pipe would make us wait
    */
   void
-  refuse_links(const std::string &folder, const std::vector<OwnFiles> &files);
+  refuse_other_kinds(const std::string &folder, const std::vector<OwnFiles> &files);
 
   /**
    * Remove these files, also those that a killed process has left under a

@@ -45,6 +45,7 @@ namespace Waker
   enum class CampaignStatus
   {
     completed,  // all that was asked for is done
+    no_result,  // likewise, but every realisation failed numerically
     interrupted // what is finished is in the journals
   };
 
