@@ -90,7 +90,8 @@ namespace Waker
    *         changed; or a file is no regular one: a pipe would make us wait
    */
   void
-  refuse_other_kinds(const std::string &folder, const std::vector<OwnFiles> &files);
+  refuse_other_kinds(const std::string           &folder,
+                     const std::vector<OwnFiles> &files);
 
   /**
    * Remove these files, also those that a killed process has left under a
