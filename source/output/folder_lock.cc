@@ -33,6 +33,7 @@ namespace Waker
     }
 
 
+<<<<<<< HEAD
     /// Never waits, as for the other end of a pipe. @return -1, with errno
     /// @throws UserError "Output/Directory" of what is no regular file
     int
@@ -52,28 +53,84 @@ namespace Waker
 
 
     /// @return false if the file does not say
+=======
+    /// What a lock says.
+    std::string
+    text_of(const std::string &what,
+            const std::string &host,
+            const long         process,
+            const std::string &since)
+    {
+      const nlohmann::ordered_json json = {{"what", what},
+                                           {"host", host},
+                                           {"process", process},
+                                           {"since", since}};
+      return json.dump(-1,
+                       ' ',
+                       false,
+                       nlohmann::json::error_handler_t::replace) +
+             "\n";
+    }
+
+
+    /// Is this the beginning of what a lock says, whatever it says? A killed
+    /// process or a full disk leaves one; a power cut may leave zeros.
+>>>>>>> 84f2988 (A file called lock that is not ours is refused, not replaced)
     bool
+    is_beginning(const std::string &text)
+    {
+      if (text.find_first_not_of('\0') == std::string::npos)
+        return true;
+      // The text with nothing in it, of which a "" stands for any string, and
+      // the 0 for any number.
+      const std::string form = text_of("", "", 0, "");
+      std::size_t       at   = 0;
+      for (std::size_t i = 0; i < form.size() && at < text.size(); ++i)
+        if (form[i] == '0')
+          while (at < text.size() && text[at] >= '0' && text[at] <= '9')
+            ++at;
+        else if (text[at++] != form[i])
+          return false;
+        else if (form.compare(i, 2, "\"\"") == 0)
+          while (at < text.size() && text[at] != '"')
+            at += text[at] == '\\' ? 2 : 1;
+      return at >= text.size();
+    }
+
+
+    enum class Says
+    {
+      who,     // holds it, or has held it
+      nothing, // yet
+      foreign  // things, but it is no lock
+    };
+
+
+    Says
     read_holder(const int descriptor, LockHolder &holder)
     {
-      char          text[2048];
-      const ssize_t size = ::pread(descriptor, text, sizeof text, 0);
-      const auto    json = nlohmann::json::parse(text,
-                                              text + std::max<ssize_t>(size, 0),
-                                              nullptr,
-                                              false);
+      char        buffer[2048]; // several times what a lock says
+      struct stat status;
+      if (::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode) ||
+          status.st_size > static_cast<off_t>(sizeof buffer))
+        return Says::foreign;
+      const ssize_t     size = ::pread(descriptor, buffer, sizeof buffer, 0);
+      const std::string text(buffer, std::max<ssize_t>(size, 0));
+      const auto        json = nlohmann::json::parse(text, nullptr, false);
+      const Says otherwise = is_beginning(text) ? Says::nothing : Says::foreign;
       if (!json.is_object())
-        return false;
+        return otherwise;
       try
         {
           holder.what    = json.at("what").get<std::string>();
           holder.host    = json.at("host").get<std::string>();
           holder.process = json.at("process").get<long>();
           holder.since   = json.at("since").get<std::string>();
-          return true;
+          return Says::who;
         }
       catch (const nlohmann::json::exception &)
         {
-          return false;
+          return otherwise;
         }
     }
 
@@ -108,10 +165,12 @@ namespace Waker
     FolderLock::State
     judge(const int descriptor, const Kernel kernel, LockHolder &holder)
     {
-      const bool says = read_holder(descriptor, holder);
+      const Says says = read_holder(descriptor, holder);
       if (kernel == Kernel::held)
         return FolderLock::State::held;
-      if (!says)
+      if (says == Says::foreign)
+        return FolderLock::State::foreign;
+      if (says == Says::nothing)
         return FolderLock::State::ours;
       if (holder.host != host_name())
         return FolderLock::State::of_other_host;
@@ -156,13 +215,7 @@ namespace Waker
         return;
       }
 
-    const nlohmann::ordered_json json = {{"what", what},
-                                         {"host", host_name()},
-                                         {"process", ::getpid()},
-                                         {"since", utc_time()}};
-    const std::string            text =
-      json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) +
-      "\n";
+    const std::string text = text_of(what, host_name(), ::getpid(), utc_time());
     if (::ftruncate(descriptor, 0) != 0 ||
         ::pwrite(descriptor, text.data(), text.size(), 0) !=
           static_cast<ssize_t>(text.size()))
@@ -218,9 +271,16 @@ namespace Waker
   FolderLock::State
   FolderLock::look(const std::string &path, LockHolder &holder)
   {
+<<<<<<< HEAD
     const int descriptor = open_lock(path, O_RDONLY);
     if (descriptor < 0)
       return State::ours; // nobody's
+=======
+    const int descriptor =
+      ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    if (descriptor < 0) // a link, or nobody's
+      return errno == ELOOP ? State::foreign : State::ours;
+>>>>>>> 84f2988 (A file called lock that is not ours is refused, not replaced)
     const State state =
       judge(descriptor, try_lock(descriptor, LOCK_SH, 3), holder);
     ::close(descriptor);
@@ -261,6 +321,14 @@ namespace Waker
                       "'" + folder + "' may be in use by " + holder.text(),
                       "if that process is there no more, to remove '" +
                         lock_path + "'; or another folder");
+    if (state == FolderLock::State::foreign)
+      throw UserError("Output/Directory",
+                      "'" + folder + "' holds a file " +
+                        lock_path.substr(lock_path.rfind('/') + 1) +
+                        " that is not ours",
+                      "to move '" + lock_path +
+                        "' away; or another folder, --set "
+                        "Output/Directory=...");
   }
 
 

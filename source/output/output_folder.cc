@@ -48,8 +48,11 @@ namespace Waker
     if (fs::is_symlink(fs::symlink_status(folder, error)))
       return;
     remove_files(folder, files_of_run());
-    fs::remove(join_path(folder, lock_name), error); // of a killed process
-    fs::remove(folder, error); // fails, as it should, if not empty
+    const std::string lock = join_path(folder, lock_name);
+    LockHolder        holder;
+    if (FolderLock::look(lock, holder) != FolderLock::State::foreign)
+      FolderLock::remove_dead(lock); // of a killed process
+    fs::remove(folder, error);       // fails, as it should, if not empty
   }
 
 

@@ -176,7 +176,9 @@ namespace Waker
       {
         LockHolder holder;
         const auto state = FolderLock::look(path, holder);
-        require_lock(folder, path, state, holder);
+        // Here names decide: what cannot be read is a damaged one of ours.
+        if (state != FolderLock::State::foreign)
+          require_lock(folder, path, state, holder);
       }
   }
 
@@ -187,7 +189,9 @@ namespace Waker
     for (const std::string &path : files(folder, is_file_of_writer))
       {
         LockHolder holder;
-        if (FolderLock::look(path, holder) == FolderLock::State::ours)
+        const auto state = FolderLock::look(path, holder);
+        if (state == FolderLock::State::ours ||
+            state == FolderLock::State::foreign)
           FolderLock::remove_dead(path);
       }
   }

@@ -112,7 +112,8 @@ def nothing_is_left(folders, check):
         fresh[name] = names(folders.path("fresh-" + name))
     check("walls.pvd" in fresh["walls"], "walls are written")
     folder = folders.path("used")
-    mine = {"notes.txt", "solution/walls-best.vtu", "statistics.ods"}
+    mine = {"notes.txt", "solution/walls-best.vtu", "statistics.ods",
+            "lock.txt"}
     for name in mine:
         os.makedirs(os.path.dirname(os.path.join(folder, name)), exist_ok=True)
         with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
@@ -289,6 +290,22 @@ def two_at_once(folders, check):
     check.refused("a lock of another host", folders.asked(
         "dyke", folder, "--overwrite"), "process 12 on elsewhere")
 
+    # A file of the user's that has the name of the lock, and nothing else.
+    for case in CASES:
+        folder = folders.path("locksmith-" + case)
+        os.makedirs(folder)
+        path = os.path.join(folder, "lock")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write("mine")
+        for flags in ((), ("--overwrite",)):
+            check.refused(f"{case}: a file lock of the user's",
+                          folders.asked(case, folder, *flags),
+                          "holds a file lock that is not ours")
+        with open(path, encoding="utf-8") as file:
+            check(file.read() == "mine", "it stays as it was")
+        os.remove(path)
+        folders.run(case, folder)
+
 
 def killed_reduction(folders, check, rng):
     """kill -9 at random moments; a damaged line of the table."""
@@ -433,7 +450,8 @@ def campaigns(folders, check):
                          4, set={"Campaign/Seed": 2})
     reference.run()
     left = names(used.folder) - names(reference.folder)
-    check(left == {"notes.txt", "solution/walls-best.vtu", "statistics.ods"}
+    check(left == {"notes.txt", "solution/walls-best.vtu", "statistics.ods",
+                   "lock.txt"}
           and not os.path.exists(os.path.join(used.folder, "snapshots")),
           "--overwrite of campaigns leaves the user's files", sorted(left))
 

@@ -3,10 +3,13 @@
 #include <waker/base/host.h>
 #include <waker/output/folder_lock.h>
 #include <waker/output/output_files.h>
+#include <waker/output/output_folder.h>
 
 #include "output_temporary_folder.h"
 #include "processes.h"
+#include "user_errors.h"
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace Waker
@@ -135,11 +138,56 @@ namespace Waker
   {
     // Its process was killed before it could write, or the disk was full.
     const TemporaryFolder folder;
-    for (const std::string text : {"", "{\"what\":", "[]", "{\"what\":3}"})
+    const std::string     path = folder.file("lock");
+    std::string           whole;
+    {
+      const FolderLock lock(path, "a \"test\"");
+      whole = get(path);
+    }
+    ASSERT_GT(whole.size(), 50u);
+    for (std::size_t size = 0; size <= whole.size(); ++size)
       {
-        put(folder.file("lock"), text);
-        EXPECT_EQ(refusal(folder.path).problem, "") << text;
+        put(path, whole.substr(0, size));
+        EXPECT_EQ(refusal(folder.path).problem, "") << whole.substr(0, size);
+        EXPECT_FALSE(std::filesystem::exists(path)); // taken, and let go
       }
+    put(path, std::string(100, '\0')); // after a power cut
+    EXPECT_EQ(refusal(folder.path).problem, "");
+  }
+
+
+  TEST(Output, lock_that_is_not_ours_stays)
+  {
+    const TemporaryFolder folder;
+    const std::string     path = folder.file("lock");
+    for (const std::string &text : {std::string("mine"),
+                                    std::string("\n"),
+                                    std::string("[]"),
+                                    std::string("{}"),
+                                    std::string(R"({"what":3})"),
+                                    std::string(R"({"what":"a","host":"b"})"),
+                                    std::string(R"({"what":"a"} )"),
+                                    std::string(R"({"when":"a")"),
+                                    R"({"what":")" + std::string(5000, 'x')})
+      {
+        put(path, text);
+        const UserError error = refusal(folder.path);
+        EXPECT_EQ(error.problem,
+                  "'" + folder.path + "' holds a file lock that is not ours");
+        EXPECT_TRUE(contains(error.allowed, "move '" + path + "' away"));
+        EXPECT_USER_ERROR(refuse_locked_folder(folder.path),
+                          "Output/Directory",
+                          "holds a file lock that is not ours");
+        remove_run_folder(folder.path);
+        EXPECT_EQ(get(path), text);
+      }
+    std::filesystem::remove(path);
+    ASSERT_EQ(::mkfifo(path.c_str(), 0666), 0);
+    EXPECT_TRUE(contains(refusal(folder.path).problem, "not ours"));
+    LockHolder holder;
+    EXPECT_EQ(FolderLock::look(path, holder), State::foreign); // does not wait
+    std::filesystem::remove(path);                             // as it says
+    EXPECT_EQ(refusal(folder.path).problem, "");
   }
 
 
@@ -149,6 +197,7 @@ namespace Waker
     put(folder.file("mine"), "mine");
     std::filesystem::create_symlink("mine", folder.file("lock"));
     EXPECT_TRUE(contains(refusal(folder.path).problem, "cannot write"));
+    EXPECT_THROW(refuse_locked_folder(folder.path), UserError);
     EXPECT_EQ(get(folder.file("mine")), "mine");
     std::filesystem::remove(folder.file("mine")); // dangling
     EXPECT_TRUE(contains(refusal(folder.path).problem, "cannot write"));

@@ -26,16 +26,19 @@ namespace Waker
    * ends: what a killed one has left is taken over. The file of another host
    * counts as held until somebody removes it, since not every file system tells
    * hosts of each other's locks. Where there are no locks at all, a process of
-   * this host counts as long as it is there.
+   * this host counts as long as it is there. A file that no lock can have left
+   * (neither our text nor its beginning, nor empty) is somebody's of that name:
+   * it is not touched.
    */
   class FolderLock
   {
   public:
     enum class State
     {
-      ours,         // held by this object
-      held,         // by another process, or another object of this one
-      of_other_host // left by, or still held on, another host
+      ours,          // held by this object
+      held,          // by another process, or another object of this one
+      of_other_host, // left by, or still held on, another host
+      foreign        // no lock of ours, but a file that somebody has there
     };
 
     /// Holds nothing.
@@ -84,8 +87,9 @@ namespace Waker
 
     /**
      * Remove a file that a process has left which does not hold it any more,
-     * on whatever host it was: for what may be done twice. No two callers
-     * remove each other's new file.
+     * on whatever host it was, and whatever is in it: for what may be done
+     * twice, in a folder that only we write in. No two callers remove each
+     * other's new file.
      *
      * @return false if it is held
      */
@@ -104,7 +108,7 @@ namespace Waker
 
 
   /// @throws UserError "Output/Directory" that says who writes in the folder,
-  /// and what to do, unless the state is "ours"
+  /// or whose file is in the way, and what to do, unless the state is "ours"
   void
   require_lock(const std::string      &folder,
                const std::string      &lock_path,
@@ -115,7 +119,8 @@ namespace Waker
    * Get the lock of an output folder, for as long as the object lives.
    *
    * @param folder made if it is not there
-   * @throws UserError "Output/Directory" if another process writes there
+   * @throws UserError "Output/Directory" if another process writes there, or
+   *         a file of that name is not a lock of ours
    */
   FolderLock
   lock_folder(const std::string &folder, const std::string &what);
