@@ -44,7 +44,7 @@ namespace Waker
          const double          time,
          const double          end_time,
          const double          settling_time,
-         const double          last_load_change,
+         const double          loads_settle_at,
          const double          mean_plastic_strain,
          const double          displacement_rate,
          RestRecord           &rest)
@@ -63,7 +63,7 @@ namespace Waker
         failure.time_of(parameters.reading) >= 0.)
       return StopReason::initial_failure;
     if (parameters.at_rest && rests &&
-        time - std::max(rest.since, last_load_change) >=
+        time - std::max(rest.since, loads_settle_at) >=
           parameters.rest_duration)
       return failure.failed() ? StopReason::failed_at_rest
                               : StopReason::stable_at_rest;

@@ -33,7 +33,6 @@ namespace Waker
     }
 
 
-<<<<<<< HEAD
     /// Never waits, as for the other end of a pipe. @return -1, with errno
     /// @throws UserError "Output/Directory" of what is no regular file
     int
@@ -52,8 +51,6 @@ namespace Waker
     }
 
 
-    /// @return false if the file does not say
-=======
     /// What a lock says.
     std::string
     text_of(const std::string &what,
@@ -75,7 +72,6 @@ namespace Waker
 
     /// Is this the beginning of what a lock says, whatever it says? A killed
     /// process or a full disk leaves one; a power cut may leave zeros.
->>>>>>> 84f2988 (A file called lock that is not ours is refused, not replaced)
     bool
     is_beginning(const std::string &text)
     {
@@ -271,16 +267,9 @@ namespace Waker
   FolderLock::State
   FolderLock::look(const std::string &path, LockHolder &holder)
   {
-<<<<<<< HEAD
     const int descriptor = open_lock(path, O_RDONLY);
-    if (descriptor < 0)
-      return State::ours; // nobody's
-=======
-    const int descriptor =
-      ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
     if (descriptor < 0) // a link, or nobody's
       return errno == ELOOP ? State::foreign : State::ours;
->>>>>>> 84f2988 (A file called lock that is not ours is refused, not replaced)
     const State state =
       judge(descriptor, try_lock(descriptor, LOCK_SH, 3), holder);
     ::close(descriptor);

@@ -107,11 +107,24 @@ namespace Waker
   }
 
 
+  namespace
+  {
+    /// The time from which all of the weight and the loads acts (s).
+    double
+    full_loads_from(const TimeParameters &time)
+    {
+      return !scheme_traits(time).has_inertia && time.load_duration > 0.
+               ? time.load_duration
+               : LastChange::never;
+    }
+  } // namespace
+
+
   template <int dim>
   double
   Scene<dim>::last_load_change(const double unknown) const
   {
-    double last = LastChange::never;
+    double last = full_loads_from(the_case->parameters.time);
     for (const double change :
          {the_case->parameters.water.side != "none" ? water_rise.last_change()
                                                     : LastChange::never,
@@ -127,6 +140,8 @@ namespace Waker
   std::string
   Scene<dim>::varying_load(const double from, const double to) const
   {
+    if (full_loads_from(the_case->parameters.time) > from)
+      return "Time stepping/Load duration";
     if (the_case->parameters.water.side != "none" &&
         water_rise.varies(from, to))
       return "Water/Rise";

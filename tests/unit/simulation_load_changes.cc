@@ -261,6 +261,52 @@ TEST(Simulation, load_steps_rest_at_once)
 }
 
 
+// Weight and loads that grow over the load duration are loads that change.
+TEST(Simulation, no_rest_at_a_share_of_the_weight)
+{
+  const auto run_to = [](const double end) {
+    BlockInWater block("0");
+    Parameters  &p         = block.bar.parameters;
+    p.time.scheme          = "quasi-static";
+    p.time.time_step       = 0.5;
+    p.time.load_duration   = 10.;
+    p.time.end_time        = end;
+    p.gravity.acceleration = 9.81;
+    EXPECT_EQ(last_change(p), 10.);
+    const StopReason stop = block.run();
+    // A linear column: what it carries is its share of the weight.
+    double stress = 0.;
+    for (const auto &s : block.state.points.stress)
+      stress = std::min(stress, s[1][1]);
+    return std::make_tuple(stop, block.outcome(), block.state.time, stress);
+  };
+  const auto [whole_stop, whole, whole_time, full_stress] = run_to(20.);
+  EXPECT_EQ(whole_stop, StopReason::stable_at_rest);
+  EXPECT_EQ(whole, Outcome::stable);
+  EXPECT_NEAR(whole_time, 11., 1e-9); // a second of rest after the last change
+  const auto [early_stop, early, early_time, stress] = run_to(2.);
+  EXPECT_EQ(early_stop, StopReason::end_time);
+  EXPECT_EQ(early, Outcome::loads_change);
+  EXPECT_EQ(early_time, 2.);
+  EXPECT_NEAR(stress / full_stress, 0.2, 0.01);
+  EXPECT_EQ(std::get<1>(run_to(10.)), Outcome::stable);
+
+  // A word that is not true is refused; other schemes have no such duration.
+  BlockInWater block("0");
+  Parameters  &p             = block.bar.parameters;
+  p.time.scheme              = "quasi-static";
+  p.time.load_duration       = 10.;
+  p.stop.loads_constant_from = "9";
+  EXPECT_NE(complaint(p).find("Time stepping/Load duration changes"),
+            std::string::npos);
+  p.stop.loads_constant_from = "10";
+  EXPECT_EQ(complaint(p), "");
+  p.stop.loads_constant_from = "unknown";
+  p.time.scheme              = "Newmark";
+  EXPECT_EQ(last_change(p), LastChange::never);
+}
+
+
 TEST(Simulation, a_dyke_that_leans_on_the_box_is_not_stable)
 {
   BlockInWater block("0");

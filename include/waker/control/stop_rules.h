@@ -49,8 +49,9 @@ namespace Waker
    * @param mean_plastic_strain increment of the last step
    * @param displacement_rate rms, m/s
    * @param settling_time rest counts only after it (the residual ramp, s)
-   * @param last_load_change no rest ends a run before the loads have been
-   *        constant for the rest duration (s, see LastChange)
+   * @param loads_settle_at no rest ends a run before the loads have been
+   *        constant for the rest duration (s): the last change of any of them
+   *        (see LastChange)
    */
   StopReason
   decide(const StopParameters &parameters,
@@ -58,7 +59,7 @@ namespace Waker
          const double          time,
          const double          end_time,
          const double          settling_time,
-         const double          last_load_change,
+         const double          loads_settle_at,
          const double          mean_plastic_strain,
          const double          displacement_rate,
          RestRecord           &rest);

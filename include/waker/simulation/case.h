@@ -52,8 +52,9 @@ namespace Waker
     /// Of the tractions, one each.
     std::vector<typename Tractions<dim>::Resultant> initial_tractions;
     GravityReport                                   gravity_report;
-    /// The last time at which a load changes (s): as known from the loads, or
-    /// as the user says; see LastChange.
+    /// The time at which the loads settle (s), the last one at which any of
+    /// them changes: as known from the loads, or as the user says; see
+    /// LastChange.
     double last_load_change = LastChange::never;
     /// Where W is measured (m); NaN: nowhere, as there is no level, or no soil
     /// at it.

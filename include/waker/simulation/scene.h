@@ -62,8 +62,8 @@ namespace Waker
     set_end_loads(const MaterialPoints<dim> &points, const double time);
 
     /// The last time at which one of water, tractions, walls and boundary
-    /// conditions changes (s). Those of which it is not known count as
-    /// `unknown`.
+    /// conditions changes, or the share of them that acts (s). Those of which
+    /// it is not known count as `unknown`.
     double
     last_load_change(const double unknown = LastChange::unknown) const;
 
