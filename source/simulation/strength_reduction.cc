@@ -9,6 +9,7 @@
 #include <waker/simulation/attempts.h>
 #include <waker/simulation/describe.h>
 #include <waker/simulation/factor_report.h>
+#include <waker/simulation/judge_trial.h>
 #include <waker/simulation/realisation.h>
 #include <waker/simulation/run.h>
 #include <waker/simulation/strengths.h>
@@ -24,35 +25,6 @@ namespace Waker
     /// Thrown by nothing but an interrupt: leaves the search, keeps the table.
     struct Interrupted
     {};
-
-
-    /// By the reading that the search stops at. What has not failed is stable
-    /// only if nothing would have gone on.
-    void
-    judge(const FailureRecord &failure,
-          const Unrest        &unrest,
-          const Parameters    &parameters,
-          Trial               &trial)
-    {
-      const double time = failure.time_of(parameters.stop.reading);
-      if (time < 0.)
-        {
-          trial.result =
-            unrest.is_final() ? TrialResult::stable : TrialResult::undecided;
-          trial.outcome = to_string(outcome_of(FailureRecord(), unrest));
-          return;
-        }
-      const std::string &reading = parameters.strength_reduction.reading;
-      const bool         moved =
-        failure.time_of(FailureReading::by_displacement) == time;
-      trial.result  = TrialResult::failed;
-      trial.time    = time;
-      trial.outcome = to_string(outcome_of(failure, unrest));
-      trial.reading = reading != "any" ? reading
-                      : moved          ? "displacement"
-                                       : "width or height";
-      trial.slope   = failure.slope();
-    }
 
 
     /// @param first state at t = 0, strengths not yet divided
@@ -88,10 +60,10 @@ namespace Waker
             }
         }
       log.end_progress();
-      Trial trial;
-      trial.time = state.time;
-      judge(state.failure, realisation.unrest(), the_case.parameters, trial);
-      return trial;
+      return judge_trial(state.failure,
+                         realisation.unrest(),
+                         the_case.parameters.strength_reduction,
+                         state.time);
     }
 
 
