@@ -103,9 +103,18 @@ namespace Waker
 
 
     /**
-     * The quick answer of nearly every step. The border of two means lies half
-     * way between them, so all points of a body that has moved by `distance`
-     * have moved by half of it, and some by all of it.
+     * The quick answer of nearly every step: false only if no body of the share
+     * s of the volume V is a distance d further than the rest. Let B be such a
+     * body, with displacements u (as far as they count) and the volume V_B >=
+     * s V. The rest has not moved backwards, so the mean of u in B is above d,
+     * and some u is. Whatever else B is made of, for any c < d, here d/2,
+     *
+     *   sum_all V_q max(u_q - c, 0) >= sum_B V_q (u_q - c)
+     *                               >= V_B (d - c) >= s V (d - c).
+     *
+     * (That all of B has moved by d/2 would not follow: the border of two means
+     * lies half way between them, but the mean above it is that of all bodies,
+     * and less than that of the one that has moved furthest.)
      */
     template <int dim>
     bool
@@ -115,6 +124,7 @@ namespace Waker
                    const double               least_share)
     {
       const double square  = distance * distance;
+      const double half    = 0.5 * distance;
       double       largest = 0., volume = 0., moved = 0.;
       for (std::size_t q = 0; q < points.n_points(); ++q)
         {
@@ -122,11 +132,15 @@ namespace Waker
             points.position[q] - points.initial_position[q];
           const double norm = direction * u[0] > 0. ? u.norm_square() : 0.;
           volume += points.volume[q];
-          moved += norm >= 0.25 * square ? points.volume[q] : 0.;
+          if (norm > half * half)
+            moved += points.volume[q] *
+                     (std::min(std::sqrt(norm), far_away * distance) - half);
           largest = std::max(largest, norm);
         }
-      // In space a small part of the whole may be a large cross-section.
-      return largest > square && (dim == 3 || moved >= least_share * volume);
+      // In space a small part of the whole may be a large cross-section. The
+      // sums are rounded.
+      return largest > square &&
+             (dim == 3 || moved >= least_share * volume * half * (1. - 1e-9));
     }
 
 

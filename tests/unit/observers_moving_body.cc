@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <random>
 
 using namespace Waker;
 
@@ -130,6 +131,71 @@ TEST(Observers, bodies_that_touch_at_no_face_are_two)
   block.move([](const Point<2> &x) { return x[0] > 9.; }, 0.3, 0.);
   block.move([](const Point<2> &x) { return x[0] > 5. && x[0] < 7.; }, 0.3, 0.);
   EXPECT_NEAR(block.find(1).area, 8., 1e-12);
+}
+
+
+// The upper cluster has the mean of all its bodies: the largest one may have
+// moved further than that, with most of its points less than half as far as it.
+TEST(Observers, an_uneven_body_among_small_ones_is_seen)
+{
+  Block<2> block;
+  // Two cells that touch, of 4 points each, and single cells that do not.
+  const auto cell = [](const double x) { return static_cast<int>(x / h); };
+  const auto fast = [&](const Point<2> &x) {
+    return cell(x[1]) == 0 &&
+           (cell(x[0]) == 0 || (cell(x[0]) == 1 && x[0] < 0.7 && x[1] < 0.2));
+  };
+  const auto slow = [&](const Point<2> &x) {
+    return (cell(x[1]) == 0 && cell(x[0]) == 1 && !fast(x)) ||
+           (cell(x[0]) >= 4 && (cell(x[0]) + cell(x[1])) % 2 == 0);
+  };
+  block.move(fast, 0.14, 0.);
+  block.move(slow, 0.049, 0.);
+  const MovingBody body = block.find(1);
+  EXPECT_NEAR(body.area, 8 * 0.0625, 1e-12);
+  EXPECT_NEAR(body.distance, (5 * 0.14 + 3 * 0.049) / 8, 1e-12); // 0.106
+}
+
+
+// The quick test leaves out nothing that the full one finds.
+TEST(Observers, what_need_not_be_found_is_too_small_or_too_slow)
+{
+  unsigned int n_found = 0, n_left_out = 0;
+  std::mt19937 random(1);
+  const auto   uniform = [&](const double from, const double to) {
+    return std::uniform_real_distribution<double>(from, to)(random);
+  };
+  for (unsigned int i = 0; i < 300; ++i)
+    {
+      Block<2>     block;
+      const double scale = uniform(0.05, 0.3);
+      for (unsigned int n_bodies = 0; n_bodies < 1 + i % 4; ++n_bodies)
+        {
+          const Point<2> centre(uniform(0., 10.), uniform(0., 4.));
+          const double   size = uniform(0.2, 1.), u = uniform(0., scale);
+          block.move(
+            [&](const Point<2> &x) { return (x - centre).norm() < size; },
+            u,
+            0.);
+        }
+      for (Point<2> &x : block.points.position)
+        x[0] += uniform(0., 0.3 * scale);
+      constexpr double distance = 0.1, share = 0.01;
+      const auto       find = [&](const double least_share) {
+        return largest_moving_body(
+          block.points, block.grid, 1, distance, least_share);
+      };
+      const MovingBody full = find(0.), quick = find(share);
+      const bool is_slide = full.distance > distance && full.share > share;
+      if (is_slide)
+        {
+          EXPECT_EQ(quick.area, full.area);
+        }
+      n_found += is_slide ? 1 : 0;
+      n_left_out += full.area > 0. && quick.area == 0. ? 1 : 0;
+    }
+  EXPECT_GT(n_found, 50u);
+  EXPECT_GT(n_left_out, 20u);
 }
 
 
