@@ -110,13 +110,13 @@ namespace Waker
         const Tensor<1, 3> y = x - corners[0];
         if (std::abs(y * normal) > 1e-6 * size)
           throw UserError(path,
-                          "corner (" + to_text(x[0]) + ", " + to_text(x[1]) +
-                            ", " + to_text(x[2]) + ") is " +
-                            to_text(std::abs(y * normal)) +
+                          "corner (" + in_digits(x[0]) + ", " +
+                            in_digits(x[1]) + ", " + in_digits(x[2]) + ") is " +
+                            in_digits(std::abs(y * normal)) +
                             " m off the plane of the others",
                           "a flat polygon");
-        flat += (flat.empty() ? "" : "; ") + to_text(y * e1 / size) + ", " +
-                to_text(y * e2 / size);
+        flat += (flat.empty() ? "" : "; ") + in_digits(y * e1 / size) + ", " +
+                in_digits(y * e2 / size);
       }
     // Of the box around the polygon; it may be turned.
     double longest = 0.;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/base/numbers.h>
 #include <waker/particles/feeder.h>
 #include <waker/particles/polygon.h>
 
@@ -48,12 +49,12 @@ namespace Waker
                 limit[d] < grid.lower_corner()[d] - 1e-6 * h ||
                 limit[d] > grid.upper_corner()[d] + 1e-6 * h)
               throw UserError(path + (is_upper ? "To" : "From"),
-                              "the opening ends at " + to_text(limit[d]) +
+                              "the opening ends at " + in_digits(limit[d]) +
                                 " m in direction " + std::string(1, "xyz"[d]),
                               "lines of the grid, " +
-                                to_text(grid.lower_corner()[d]) + " to " +
-                                to_text(grid.upper_corner()[d]) +
-                                " m in steps of " + to_text(h));
+                                in_digits(grid.lower_corner()[d]) + " to " +
+                                in_digits(grid.upper_corner()[d]) +
+                                " m in steps of " + in_digits(h));
             x[d] = grid.lower_corner()[d] + std::round(cells) * h;
           }
     for (unsigned int d = 0; d < dim; ++d)

@@ -88,10 +88,10 @@ namespace Waker
             }
           if (points.n_points() > 0 && !(shortest <= cell_size))
             throw UserError("Point loads/" + load.name + "/From",
-                            "is " + to_text(shortest) +
+                            "is " + in_digits(shortest) +
                               " m from the nearest material point",
                             "a place in the soil, or at most a cell (" +
-                              to_text(cell_size) + " m) from its points");
+                              in_digits(cell_size) + " m) from its points");
           if (points.n_points() > 0)
             list.push_back(best);
           return list;

@@ -5,7 +5,6 @@
 #include <waker/particles/polygon.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace Waker
@@ -72,7 +71,7 @@ namespace Waker
     edge_name(const Polygon &polygon, const std::size_t k)
     {
       const auto point = [](const Corner &p) {
-        return "(" + to_text(p[0]) + ", " + to_text(p[1]) + ")";
+        return "(" + in_digits(p[0]) + ", " + in_digits(p[1]) + ")";
       };
       return point(polygon[k]) + "-" + point(polygon[(k + 1) % polygon.size()]);
     }
@@ -129,16 +128,6 @@ namespace Waker
       return rest;
     }
   } // namespace
-
-
-  std::string
-  to_text(const double number)
-  {
-    std::array<char, 32> text;
-    const auto           result =
-      std::to_chars(text.data(), text.data() + text.size(), number);
-    return std::string(text.data(), result.ptr);
-  }
 
 
   double

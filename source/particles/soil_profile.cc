@@ -3,6 +3,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <waker/base/errors.h>
+#include <waker/base/numbers.h>
 #include <waker/base/sizes.h>
 #include <waker/particles/layer.h>
 #include <waker/particles/rows.h>
@@ -225,8 +226,8 @@ namespace Waker
       if (seeds.size() == first || !(difference <= most * layer.volume()))
         throw UserError(layer.path + "/Polygon",
                         "is too thin: the layer has " +
-                          to_text(layer.volume()) +
-                          " m^dim, the points made of it " + to_text(volume),
+                          in_digits(layer.volume()) +
+                          " m^dim, the points made of it " + in_digits(volume),
                         "a layer that can be seen in the grid");
     }
 
@@ -271,14 +272,14 @@ namespace Waker
       const double difference = std::abs(points - profile);
       if (placement == "rows" && difference > 0.01 * profile)
         throw UserError("Material points/Placement",
-                        "the rows have " + to_text(points) +
-                          " m^dim, the soil profile " + to_text(profile) +
+                        "the rows have " + in_digits(points) +
+                          " m^dim, the soil profile " + in_digits(profile) +
                           ": corners lie inside rows",
                         "layers with their corners on lines between the rows, "
                         "or sub-cells");
       AssertThrow(placement == "rows" || difference <= 1e-10 * profile,
-                  ExcMessage("The material points have " + to_text(points) +
-                             " m^dim, their profile " + to_text(profile)));
+                  ExcMessage("The material points have " + in_digits(points) +
+                             " m^dim, their profile " + in_digits(profile)));
     }
   } // namespace
 
@@ -343,8 +344,8 @@ namespace Waker
     check_volume(point_volume, volume, parameters.placement);
     AssertThrow(parameters.placement == "rows" ||
                   std::abs(point_mass - mass) <= 1e-10 * mass,
-                ExcMessage("The material points have " + to_text(point_mass) +
-                           " Mg, their profile " + to_text(mass)));
+                ExcMessage("The material points have " + in_digits(point_mass) +
+                           " Mg, their profile " + in_digits(mass)));
     return points;
   }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/base/numbers.h>
 #include <waker/base/text.h>
 #include <waker/particles/polygon.h>
 #include <waker/particles/removal.h>
@@ -89,7 +90,7 @@ namespace Waker
         {
           const double v = feeder.velocity()[d];
           condition.displacement +=
-            (d > 0 ? "; " : "") + (v != 0. ? to_text(v) + "*t" : "0");
+            (d > 0 ? "; " : "") + (v != 0. ? in_digits(v) + "*t" : "0");
           condition.from.push_back(feeder.lower()[d]);
           condition.to.push_back(feeder.upper()[d]);
         }
@@ -161,12 +162,12 @@ namespace Waker
         if (!(inflow.velocity * parameters.time.time_step <=
               grid.cell_size() * (1. + 1e-9)))
           throw UserError("Inflow/" + inflow.name + "/Velocity",
-                          "is " + to_text(inflow.velocity) +
+                          "is " + in_digits(inflow.velocity) +
                             " m/s: more than a cell in a time step of " +
-                            to_text(parameters.time.time_step) + " s",
+                            in_digits(parameters.time.time_step) + " s",
                           "at most " +
-                            to_text(grid.cell_size() /
-                                    parameters.time.time_step) +
+                            in_digits(grid.cell_size() /
+                                      parameters.time.time_step) +
                             " m/s, or a shorter time step");
         for (const FixityParameters &condition : all_conditions)
           if (overlaps<dim>(condition,

@@ -23,10 +23,6 @@ namespace Waker
   Polygon
   parse_polygon(const std::string &text, const std::string &where);
 
-  /// A number as short as it can be read back, for messages.
-  std::string
-  to_text(const double number);
-
   /// Area, positive if the corners run anticlockwise (m^2).
   double
   signed_area(const Polygon &polygon);
