@@ -40,22 +40,6 @@ namespace Waker
     }
 
 
-    /// "log.txt" of "log.txt.tmp" and "log.txt.2.tmp", which killed processes
-    /// leave.
-    std::string
-    without_temporary_end(std::string name)
-    {
-      if (!ends_with(name, ".tmp"))
-        return name;
-      name.resize(name.size() - 4);
-      const std::size_t dot = name.rfind('.');
-      if (dot != std::string::npos && dot + 1 < name.size() &&
-          name.find_first_not_of("0123456789", dot + 1) == std::string::npos)
-        name.resize(dot);
-      return name;
-    }
-
-
     std::string
     place(const std::string &folder, const OwnFiles &files)
     {
@@ -132,6 +116,20 @@ namespace Waker
         f(path);
     }
   } // namespace
+
+
+  std::string
+  without_temporary_end(std::string name)
+  {
+    if (!ends_with(name, ".tmp"))
+      return name;
+    name.resize(name.size() - 4);
+    const std::size_t dot = name.rfind('.');
+    if (dot != std::string::npos && dot + 1 < name.size() &&
+        name.find_first_not_of("0123456789", dot + 1) == std::string::npos)
+      name.resize(dot);
+    return name;
+  }
 
 
   std::string

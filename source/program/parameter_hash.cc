@@ -3,6 +3,7 @@
 #include <waker/base/hash.h>
 #include <waker/base/read_file.h>
 #include <waker/program/parameter_hash.h>
+#include <waker/reliability/free_parameters.h>
 
 #include <algorithm>
 
@@ -11,15 +12,11 @@ namespace Waker
   const std::vector<std::string> &
   sections_free_at_resume()
   {
-    static const std::vector<std::string> sections = {"Output",
-                                                      "Stop rules",
-                                                      "Strength reduction",
-                                                      "Campaign",
-                                                      "Sweep",
-                                                      "Snapshots",
-                                                      "Slides",
-                                                      "Histograms",
-                                                      "Risk"};
+    static const std::vector<std::string> sections = []() {
+      std::vector<std::string> list = sections_free_in_campaigns();
+      list.insert(list.end(), {"Stop rules", "Campaign", "Sweep"});
+      return list;
+    }();
     return sections;
   }
 
@@ -39,10 +36,10 @@ namespace Waker
     bool
     decides_records(const DeclaredParameter &parameter)
     {
+      const auto decides = is_one_of(campaign_parameters_not_free());
       return decides_steps(parameter) || parameter.section == "Stop rules" ||
              parameter.path() == "Time stepping/End time" ||
-             parameter.path() == "Campaign/Seed" ||
-             parameter.path() == "Campaign/Attempts";
+             (parameter.section == "Campaign" && decides(parameter.name));
     }
 
 

@@ -8,6 +8,7 @@
 #include <waker/output/parameter_differences.h>
 #include <waker/reliability/campaign_files.h>
 #include <waker/reliability/campaign_folder.h>
+#include <waker/reliability/free_parameters.h>
 #include <waker/reliability/report.h>
 
 #include <chrono>
@@ -51,16 +52,14 @@ namespace Waker
     bool
     is_being_made(const std::string &folder)
     {
+      const auto is_first = is_one_of(
+        {campaign_info_name, file_name(OutputFile::parameters), lock_name});
       std::error_code        error;
       fs::directory_iterator entry(folder, error);
       for (; !error && entry != fs::directory_iterator();
            entry.increment(error))
-        {
-          const std::string name = entry->path().filename().string();
-          if (name.rfind("campaign.json", 0) != 0 &&
-              name.rfind("parameters.prm", 0) != 0 && name != lock_name)
-            return has_campaign(folder); // complete by now
-        }
+        if (!is_first(without_temporary_end(entry->path().filename().string())))
+          return has_campaign(folder); // complete by now
       return !error;
     }
 
@@ -72,13 +71,11 @@ namespace Waker
       const std::string  differences =
         parameter_differences(old.parameters, info.parameters);
       if (old.hash != info.hash)
-        refuse(
-          "'" + folder + "' holds another campaign (its parameters have " +
-            "the hash " + old.hash + ", these " + info.hash + ")" +
-            (differences.empty() ? "" : ": " + differences),
-          "the same parameters and input files, but for Output, Snapshots, Slides, "
-          "Histograms, Risk, and of Campaign the number of realisations "
-          "and the rules for stopping; a new folder; or --overwrite");
+        refuse("'" + folder + "' holds another campaign (its parameters have " +
+                 "the hash " + old.hash + ", these " + info.hash + ")" +
+                 (differences.empty() ? "" : ": " + differences),
+               "the same parameters and input files, but for " +
+                 free_in_campaigns() + "; a new folder; or --overwrite");
       if (info.realisations < old.realisations)
         throw UserError("Campaign/Realisations",
                         "is " + std::to_string(info.realisations) +

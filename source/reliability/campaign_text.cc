@@ -2,6 +2,7 @@
 #include <waker/reliability/campaign_text.h>
 #include <waker/reliability/intervals.h>
 
+#include <cmath>
 #include <cstdio>
 
 namespace Waker
@@ -97,6 +98,28 @@ namespace Waker
                       100. * work.busy / time);
         result += text;
       }
+    return result;
+  }
+
+
+  std::string
+  pace_text(const std::uint64_t n_done,
+            const std::uint64_t n_wanted,
+            const double        busy)
+  {
+    // Journals may say anything.
+    const double mean = busy / n_done;
+    if (n_done == 0 || !(mean > 0.) || !std::isfinite(3600. / mean))
+      return "";
+    char text[80];
+    std::snprintf(text,
+                  sizeof text,
+                  "%.0f realisations an hour and core",
+                  3600. / mean);
+    std::string result = text;
+    if (n_wanted > n_done)
+      result += "; at most " + work_time_text((n_wanted - n_done) * mean) +
+                " of one core to go";
     return result;
   }
 } // namespace Waker

@@ -122,17 +122,10 @@ namespace Waker
     log.line("Campaign " + contents.info.hash + " in " + folder + ": " +
              std::to_string(contents.records.size()) + " of " +
              std::to_string(contents.n_wanted) + " realisations done");
-    if (!contents.records.empty())
-      {
-        const double mean = busy / contents.records.size();
-        const double rest =
-          (contents.n_wanted - contents.records.size()) * mean;
-        log.line("  " + std::to_string(static_cast<int>(3600. / mean)) +
-                 " realisations an hour and core" +
-                 (rest > 0.
-                    ? "; at most " + work_time_text(rest) + " of one core to go"
-                    : ""));
-      }
+    const std::string pace =
+      pace_text(contents.records.size(), contents.n_wanted, busy);
+    if (!pace.empty())
+      log.line("  " + pace);
     print_remarks(contents, log);
     const AnalysisParameters &analysis = input.reliability.analysis;
     // A table that is missing here must not keep the rest from the reader.

@@ -78,7 +78,8 @@ namespace Waker
     }
 
 
-    /// Say in the log what has just happened to the tractions.
+    /// Warn of what has just happened to the tractions: it is in the summary,
+    /// too.
     void
     report_tractions(const std::vector<TractionParameters> &parameters,
                      const std::vector<TractionRecord>     &before,
@@ -96,7 +97,7 @@ namespace Waker
               return;
             char text[64];
             std::snprintf(text, sizeof text, "t = %.3f s: traction ", time);
-            log.line(text + parameters[i].name + " " + what);
+            log.warning(text + parameters[i].name + " " + what);
           };
           say(
             was.empty_time,

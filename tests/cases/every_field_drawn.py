@@ -10,6 +10,7 @@ With ParaView (pvbatch, xvfb-run) some fields are drawn with it, too.
 
 import contextlib
 import io
+import json
 import os
 import shutil
 import subprocess
@@ -295,9 +296,15 @@ def main():
         check("  at last", len(meshes["tractions"][-1].points), 0, 0)
         with open(os.path.join(leaving, "log.txt"), encoding="utf-8") as file:
             log = file.read()
+        with open(os.path.join(leaving, "summary.json"),
+                  encoding="utf-8") as file:
+            summary = json.load(file)
         for words in ("traction riding has lost a part",
                       "traction riding loads nothing"):
             check(f"  said once: {words}", log.count(words), 1, 1)
+            # A warning, which the summary has, too.
+            check("  and in the summary",
+                  sum(words in line for line in summary["warnings"]), 1, 1)
         draw_all(check, plot_state, run_files, leaving, "leaving")
         render(check, source, leaving, ["velocity"], "leaving")
     check.exit()

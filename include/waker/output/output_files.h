@@ -74,6 +74,11 @@ namespace Waker
               const std::string &start,
               const std::string &end);
 
+  /// "log.txt" of "log.txt.tmp" and "log.txt.2.tmp", which processes write
+  /// first, and leave if they are killed.
+  std::string
+  without_temporary_end(std::string name);
+
   /// Is it one of them?
   std::function<bool(const std::string &)>
   is_one_of(const std::vector<std::string> &names);

@@ -35,6 +35,14 @@ namespace Waker
   /// 99.1 %"
   std::string
   work_text(const Work &work, const int n_ranks);
+
+  /// "120 realisations an hour and core; at most 2.1 h of one core to go"; ""
+  /// where nothing is known of the time that they take.
+  /// @param busy sum of the wall times of those that are done (s)
+  std::string
+  pace_text(const std::uint64_t n_done,
+            const std::uint64_t n_wanted,
+            const double        busy);
 } // namespace Waker
 
 #endif
