@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/expression_pattern.h>
+#include <waker/base/numbers.h>
 #include <waker/base/text.h>
-
-#include <charconv>
-#include <cmath>
 
 namespace Waker
 {
   namespace
   {
-    const char *const name = "[Expression]";
-  }
+    const char *const name       = "[Expression]";
+    const std::string number_or_ = "[Number or ";
+  } // namespace
 
 
   bool
@@ -41,16 +40,47 @@ namespace Waker
   }
 
 
+  NumberOrWordPattern::NumberOrWordPattern(const std::string &word)
+    : word(word)
+  {}
+
+
+  bool
+  NumberOrWordPattern::match(const std::string &text) const
+  {
+    return tidy(text) == word || plain_number(text);
+  }
+
+
+  std::string
+  NumberOrWordPattern::description(const OutputStyle) const
+  {
+    return number_or_ + word + "]";
+  }
+
+
+  std::unique_ptr<dealii::Patterns::PatternBase>
+  NumberOrWordPattern::clone() const
+  {
+    return std::make_unique<NumberOrWordPattern>(word);
+  }
+
+
+  std::optional<std::string>
+  NumberOrWordPattern::word_of(const std::string &description)
+  {
+    if (description.rfind(number_or_, 0) != 0)
+      return {};
+    return description.substr(number_or_.size(),
+                              description.size() - number_or_.size() - 1);
+  }
+
+
   std::optional<double>
   plain_number(const std::string &text)
   {
-    const std::string trimmed = tidy(text);
-    const char *const end     = trimmed.data() + trimmed.size();
-    const char *const begin =
-      trimmed.data() + (trimmed.size() > 1 && trimmed[0] == '+' ? 1 : 0);
-    double     number = 0.;
-    const auto result = std::from_chars(begin, end, number);
-    if (result.ec == std::errc() && result.ptr == end && std::isfinite(number))
+    double number = 0.;
+    if (read_number(tidy(text), number))
       return number;
     return {};
   }

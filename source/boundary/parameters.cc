@@ -2,12 +2,12 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <waker/base/errors.h>
+#include <waker/base/expression_pattern.h>
 #include <waker/base/text.h>
 #include <waker/boundary/proximity_field.h>
 #include <waker/boundary/water_load.h>
 
 #include <cmath>
-#include <cstdlib>
 
 namespace Waker
 {
@@ -75,22 +75,18 @@ namespace Waker
                       "or right. It loads the surface from the toe on this "
                       "side up to the water level.",
                       Patterns::Selection("none|left|right"));
-    // deal.II has no pattern for a number or a word.
     prm.declare_entry("Level",
                       level_text,
-                      Patterns::Anything(),
+                      NumberOrWordPattern("none"),
                       "Water level on the vertical axis, in m, within the "
                       "height of the soil. The width of the dyke is measured "
                       "at this level, also without water. none: no level, and "
                       "so neither water nor width; initial failure is then "
                       "seen by the height only.");
     prm.add_action("Level", [this](const std::string &text) {
-      level_text        = tidy(text);
-      char *end         = nullptr;
-      level             = std::strtod(level_text.c_str(), &end);
-      const bool number = !level_text.empty() && *end == '\0';
-      if (!number || !std::isfinite(level))
-        level = std::numeric_limits<double>::quiet_NaN();
+      level_text = tidy(text);
+      level =
+        plain_number(text).value_or(std::numeric_limits<double>::quiet_NaN());
     });
     prm.add_parameter("Rise",
                       rise,

@@ -3,12 +3,10 @@
 
 #include <waker/base/checks.h>
 #include <waker/base/errors.h>
+#include <waker/base/expression_pattern.h>
 #include <waker/base/last_change.h>
 #include <waker/base/text.h>
 #include <waker/control/parameters.h>
-
-#include <cmath>
-#include <cstdlib>
 
 namespace Waker
 {
@@ -91,7 +89,7 @@ namespace Waker
       "so that such a run goes on to its end time, unless this is the time "
       "(s) from which all of them are constant. It is tried at 1000 moments "
       "up to the end time. \"unknown\": no such time.",
-      Patterns::Anything());
+      NumberOrWordPattern("unknown"));
     prm.add_parameter("On initial failure",
                       on_initial_failure,
                       "Stop at initial failure (a strength reduction does).",
@@ -115,9 +113,8 @@ namespace Waker
     const std::string text = tidy(loads_constant_from);
     if (text == "unknown")
       return LastChange::unknown;
-    char        *end  = nullptr;
-    const double time = std::strtod(text.c_str(), &end);
-    if (text.empty() || *end != '\0' || !std::isfinite(time) || time < 0.)
+    const double time = plain_number(text).value_or(-1.);
+    if (!(time >= 0.))
       throw UserError("Stop rules/Loads constant from",
                       "is \"" + text + "\"",
                       "a time of at least 0 s, or unknown");

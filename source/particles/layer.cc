@@ -3,6 +3,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <waker/base/errors.h>
+#include <waker/base/numbers.h>
 #include <waker/particles/layer.h>
 
 #include <algorithm>
@@ -31,8 +32,9 @@ namespace Waker
     prm.add_parameter("Velocity",
                       velocity,
                       "Initial velocity of the layer (m/s): per component a "
-                      "number or an expression of x, y, z (m); for example "
-                      "\"0.1*sin(pi*x/50); 0\". Empty: at rest.",
+                      "number or an expression of x, y, z (m), with \";\" "
+                      "between them; for example \"0.1*sin(pi*x/50); 0\". "
+                      "Empty: at rest.",
                       Patterns::Anything());
     prm.add_parameter("Initial stress",
                       initial_stress,
@@ -55,18 +57,19 @@ namespace Waker
   std::vector<std::string>
   LayerParameters::velocity_components(const unsigned int dim) const
   {
-    const char separator = velocity.find(';') != std::string::npos ? ';' : ',';
     const std::vector<std::string> parts =
-      Utilities::split_string_list(velocity, separator);
+      Utilities::split_string_list(velocity, ';');
     if (!parts.empty() && (parts.size() != dim ||
                            std::count(parts.begin(), parts.end(), "") != 0))
-      throw UserError("Soil profile/" + name + "/Velocity",
-                      "\"" + velocity + "\" has " +
-                        std::to_string(parts.size()) +
-                        " numbers or expressions",
-                      std::to_string(dim) + " numbers or expressions in " +
-                        std::to_string(dim) +
-                        "D with \";\" between them, or nothing");
+      throw UserError(
+        "Soil profile/" + name + "/Velocity",
+        "\"" + velocity + "\" has " + std::to_string(parts.size()) +
+          (parts.size() == 1 ? " number or expression"
+                             : " numbers or expressions"),
+        std::to_string(dim) + " numbers or expressions in " +
+          std::to_string(dim) + "D with \";\" between them, or nothing" +
+          (velocity.find(',') != std::string::npos ? decimals_with_a_point
+                                                   : ""));
     return parts;
   }
 
@@ -121,7 +124,7 @@ namespace Waker
     std::string
     interval(const double begin, const double end)
     {
-      return to_text(begin) + " to " + to_text(end) + " m";
+      return in_digits(begin) + " to " + in_digits(end) + " m";
     }
 
 
@@ -183,8 +186,8 @@ namespace Waker
         if (!(corner[d] >= lower[d] - tolerance &&
               corner[d] <= upper[d] + tolerance))
           throw UserError(layer.path + "/Polygon",
-                          "the corner (" + to_text(corner[0]) + ", " +
-                            to_text(corner[1]) + ") lies outside the grid",
+                          "the corner (" + in_digits(corner[0]) + ", " +
+                            in_digits(corner[1]) + ") lies outside the grid",
                           "x from " + interval(lower[0], upper[0]) +
                             " and y from " + interval(lower[1], upper[1]));
 
@@ -287,7 +290,7 @@ namespace Waker
               1e-9 * std::min(signed_area(a.corners), signed_area(b.corners)))
             throw UserError(a.path + "/Polygon",
                             "overlaps \"" + b.path + "\" over " +
-                              to_text(area) + " m^2",
+                              in_digits(area) + " m^2",
                             "layers that touch at most");
         }
   }

@@ -7,10 +7,8 @@
 #include <waker/program/prm_scanner.h>
 
 #include <algorithm>
-#include <charconv>
 #include <limits>
 #include <regex>
-#include <sstream>
 
 namespace Waker
 {
@@ -49,6 +47,36 @@ namespace Waker
       if (list.separator.empty())
         list.separator = ",";
       return true;
+    }
+
+
+    /// Is one of the numbers like "0,25"? It may be a decimal comma, or stand
+    /// between two numbers. "0, 25", "1,2,3", "0,-1" and "0,2.5" are clear.
+    bool
+    may_have_decimal_commas(const std::string &value)
+    {
+      const auto is_digit = [](const char c) { return c >= '0' && c <= '9'; };
+      for (std::string word : split(value, ' '))
+        {
+          if (!word.empty() && word.back() == ',')
+            word.pop_back();
+          const std::size_t comma = word.find(',');
+          if (comma != std::string::npos && comma > 0 &&
+              comma + 1 < word.size() && is_digit(word[comma - 1]) &&
+              is_digit(word[comma + 1]) &&
+              word.find_first_of(",.", comma + 1) == std::string::npos &&
+              word.find('.') == std::string::npos)
+            return true;
+        }
+      return false;
+    }
+
+
+    /// Is it a list of numbers with commas between them?
+    bool
+    is_list_of_numbers(const ListPattern &list)
+    {
+      return list.separator == "," && starts_with(list.element, "[Double");
     }
 
 
@@ -116,6 +144,8 @@ namespace Waker
       return "the name of a file";
     if (ExpressionPattern::is_description(pattern))
       return "a number or an expression";
+    if (const auto word = NumberOrWordPattern::word_of(pattern))
+      return "a number or " + *word;
     if (starts_with(pattern, "[Anything") ||
         starts_with(pattern, "[DirectoryName"))
       return "any text";
@@ -130,12 +160,18 @@ namespace Waker
     const bool  is_whole_number =
       !value.empty() &&
       value.find_first_not_of("0123456789") == std::string::npos;
-    if (pattern.find("[Double") != std::string::npos)
+    if (pattern.find("[Double") != std::string::npos ||
+        NumberOrWordPattern::word_of(pattern))
       {
         if (std::count(value.begin(), value.end(), ',') >= most_entries)
           words += ", at most " + std::to_string(most_entries);
         else if (value.find(',') != std::string::npos)
-          words += decimals_with_a_point;
+          {
+            ListPattern list;
+            if (parse_list(pattern, list) && is_list_of_numbers(list))
+              words += " and blanks (0, 25)";
+            words += decimals_with_a_point;
+          }
         else if (starts_with(pattern, "[Double"))
           words += " that is finite and written like 2.5 or 1e-3";
       }
@@ -151,11 +187,16 @@ namespace Waker
   {
     if (ExpressionPattern::is_description(pattern))
       return ExpressionPattern().match(value);
+    if (const auto word = NumberOrWordPattern::word_of(pattern))
+      return NumberOrWordPattern(*word).match(value);
     // The pattern takes a list apart in a time that grows with its square.
     ListPattern list;
     if (parse_list(pattern, list) &&
         std::count(value.begin(), value.end(), list.separator[0]) >=
           most_entries)
+      return false;
+    if (!list.element.empty() && is_list_of_numbers(list) &&
+        may_have_decimal_commas(value))
       return false;
     return Patterns::pattern_factory(pattern)->match(value);
   }
@@ -173,18 +214,12 @@ namespace Waker
                     normalised(element, list.element);
         return result;
       }
+    // The fewest digits that give the same number again.
     if (starts_with(pattern, "[Double") ||
-        (ExpressionPattern::is_description(pattern) && plain_number(value)))
-      {
-        // Read as deal.II reads, written with the fewest digits that give
-        // the same number again.
-        double             number = 0.;
-        std::istringstream stream(value);
-        stream >> number;
-        char       buffer[32];
-        const auto end = std::to_chars(buffer, buffer + sizeof buffer, number);
-        return std::string(buffer, end.ptr);
-      }
+        ExpressionPattern::is_description(pattern) ||
+        NumberOrWordPattern::word_of(pattern))
+      if (const auto number = plain_number(value))
+        return in_digits(*number);
     return tidy(value);
   }
 } // namespace Waker

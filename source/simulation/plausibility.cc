@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/expression_pattern.h>
 #include <waker/mechanics/time_scheme.h>
 #include <waker/particles/layer_gaps.h>
 #include <waker/simulation/plausibility.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <optional>
 #include <sstream>
@@ -48,18 +48,6 @@ namespace Waker
     };
 
 
-    /// The number that a text is; none if it is an expression.
-    std::optional<double>
-    number(const std::string &text)
-    {
-      char        *rest  = nullptr;
-      const double value = std::strtod(text.c_str(), &rest);
-      if (rest == text.c_str() || *rest != 0)
-        return {};
-      return value;
-    }
-
-
     void
     check_strength(const std::string &path,
                    const double       strength,
@@ -94,7 +82,7 @@ namespace Waker
       if (m.model == "linear elastic")
         return;
       // Of an expression the points know the values.
-      if (const auto strength = number(m.initial_strength))
+      if (const auto strength = plain_number(m.initial_strength))
         check_strength(path, *strength, m.youngs_modulus, ranges);
     }
 
@@ -111,7 +99,7 @@ namespace Waker
       for (std::size_t m = 0; i >= 0 && m < materials.size(); ++m)
         {
           if (materials[m].model == "linear elastic" ||
-              number(materials[m].initial_strength))
+              plain_number(materials[m].initial_strength))
             continue;
           double least = std::numeric_limits<double>::max(), largest = 0.;
           for (std::size_t p = 0; p < points.n_points(); ++p)

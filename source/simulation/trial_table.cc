@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
 #include <waker/base/hash.h>
+#include <waker/base/numbers.h>
 #include <waker/base/text.h>
 #include <waker/output/files.h>
 #include <waker/output/output_files.h>
 #include <waker/simulation/trial_table.h>
 
-#include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <sstream>
 #include <vector>
@@ -31,15 +30,6 @@ namespace Waker
       return std::string(numbers[0]) + "," + to_string(trial.result) + "," +
              numbers[1] + "," + trial.outcome + "," + trial.reading + "," +
              trial.slope + "," + std::to_string(trial.attempts);
-    }
-
-
-    bool
-    read_number(const std::string &text, double &value)
-    {
-      char *end = nullptr;
-      value     = std::strtod(text.c_str(), &end);
-      return !text.empty() && *end == '\0' && std::isfinite(value);
     }
 
 

@@ -203,7 +203,10 @@ def values(cases):
               "not below the crest at 5 m")
     set_value("water below the base", "Water/Level", -1, "below all soil")
     set_value("no level", "Water/Level", "none", "water stands on the left")
-    set_value("level with a comma", "Water/Level", "4,75", "no number")
+    set_value("level with a comma", "Water/Level", "4,75", '"4,75"')
+    set_value("hexadecimal level", "Water/Level", "0x4", '"0x4"')
+    set_value("constant loads", "Stop rules/Loads constant from", "0x4",
+              '"0x4"')
     set_value("flooded from the start", "Water/Rise", 0.5, "flooded")
     set_value("too many numbers", "Grid/Upper corner", "42, 6, 1", "3 numbers")
     cases.edit("no layer", without_layers(),
@@ -239,7 +242,10 @@ def decimal_commas(cases):
     formula; what does not repeat."""
     check, set_value = cases.check, cases.set_value
     set_value("comma: number", "Grid/Cell size", "0,25", '"0,25"')
-    set_value("comma: list", "Grid/Lower corner", "-6,5, 0", "3 numbers")
+    set_value("comma: list", "Grid/Lower corner", "-6,5, 0", '"-6,5, 0"')
+    set_value("comma: one number or two", "Grid/Lower corner", "-6,5", '"-6,5"')
+    set_value("comma: velocity", "Soil profile/dyke/Velocity", "0,25",
+              "1 number or expression")
     set_value("comma: table", "Water/Rise", "0: 1,5, 3: 2", "no pair")
     set_value("comma: polygon", POLYGON, "0,5, 0; 30, 0; 15, 5", "corner 1")
     set_value("rise in two parts", "Water/Rise", "1; 2", '";" has no meaning')

@@ -10,6 +10,7 @@
 
 #include <fstream>
 #include <gtest/gtest.h>
+#include <set>
 #include <unistd.h>
 
 // Every parameter that there is, with values that nobody should give: they are
@@ -122,6 +123,14 @@ end
   }
 
 
+  /// Those that are good nowhere but in names and texts.
+  const std::set<std::string> never_good =
+    {"0,25", "1e400", "nan", "inf", "0x10", "rand()"};
+
+  /// All parameters that are these.
+  const std::set<std::string> texts = {"Output/Directory"};
+
+
   enum class Answer
   {
     accepted,
@@ -206,6 +215,7 @@ TEST_F(Fuzz, the_case_itself_is_good)
 
 TEST_F(Fuzz, every_parameter_with_every_odd_value_is_accepted_or_refused)
 {
+  unsigned int n_refused = 0, n_texts = 0;
   for (const DeclaredParameter &parameter : parameters)
     for (const std::string &value : odd_values())
       {
@@ -220,10 +230,15 @@ TEST_F(Fuzz, every_parameter_with_every_odd_value_is_accepted_or_refused)
             const bool is_none =
               value.empty() || value == "1e400" ||
               value.find_first_not_of("-0123456789e") != std::string::npos;
-            if (wants_number && is_none)
+            const bool is_never = never_good.count(value) > 0;
+            const bool is_text  = texts.count(parameter.path()) > 0;
+            if ((wants_number && is_none) || (is_never && !is_text))
               {
                 EXPECT_EQ(answer, Answer::refused);
               }
+            n_refused +=
+              is_never && !is_text && answer == Answer::refused ? 1 : 0;
+            n_texts += is_never && is_text ? 1 : 0;
           }
         catch (const std::exception &error)
           {
@@ -234,4 +249,7 @@ TEST_F(Fuzz, every_parameter_with_every_odd_value_is_accepted_or_refused)
             ADD_FAILURE() << "no exception that a program can catch";
           }
       }
+  // Nothing was left out.
+  EXPECT_EQ(n_texts, texts.size() * never_good.size());
+  EXPECT_EQ(n_refused, (parameters.size() - texts.size()) * never_good.size());
 }

@@ -240,9 +240,14 @@ TEST(Program, profile)
                         "two dimensions",
                         "Dimension = 3");
   expect_override_error("Soil profile/dyke/Velocity",
-                        "1, 2, 3",
+                        "1; 2; 3",
                         "3 numbers",
                         "2 numbers");
+  // One number with a decimal comma, not 0 and 25.
+  expect_override_error("Soil profile/dyke/Velocity",
+                        "0,25",
+                        "1 number or expression",
+                        "decimals with a point");
   expect_error(with("  set Names = base\n  subsection base # line 25\n"
                     "    set Region = bottom\n  end\n",
                     ""),

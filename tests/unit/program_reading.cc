@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/expression_pattern.h>
 #include <waker/program/command_line.h>
 #include <waker/program/declared_parameters.h>
 #include <waker/program/parameter_printer.h>
@@ -67,6 +68,8 @@ TEST(Program, hash_depends_on_values_not_on_writing)
   EXPECT_EQ(hash, hash_of(with("= 10 ", "= 1.0e1 ")));
   EXPECT_EQ(hash, hash_of(with("-6, 0", "-6.0,0.")));
   EXPECT_EQ(hash, hash_of(good_case, {"Materials/clay/Unit weight=15"}));
+  EXPECT_EQ(hash_of(good_case, {"Water/Level=4"}),
+            hash_of(good_case, {"Water/Level=+4.00"}));
   EXPECT_NE(hash, hash_of(with("= 10 ", "= 10.0001 ")));
   EXPECT_NE(hash, hash_of(good_case, {"Time stepping/Time step=0.02"}));
   EXPECT_NE(hash, hash_of(with("30, 0", "31, 0")));
@@ -121,6 +124,60 @@ TEST(Program, patterns_in_words)
   EXPECT_EQ(pattern_in_words("[List of <[Bool]> of length 2...2 (inclusive) "
                              "separated by <;>]"),
             "2 entries separated by \";\", each true or false");
+  EXPECT_EQ(pattern_in_words(NumberOrWordPattern("none").description()),
+            "a number or none");
+}
+
+
+TEST(Program, number_or_word_is_one_of_them)
+{
+  const NumberOrWordPattern pattern("none");
+  const std::string         description = pattern.description();
+  for (const char *const good : {"none", " none ", "4", "-4.5e1", "+.5"})
+    {
+      EXPECT_TRUE(pattern.match(good)) << good;
+      EXPECT_TRUE(matches_pattern(good, description)) << good;
+      EXPECT_TRUE(pattern.clone()->match(good)) << good;
+    }
+  for (const char *const bad :
+       {"", "None", "unknown", "0x4", "4,75", "nan", "inf", "1e400", "4 m"})
+    {
+      EXPECT_FALSE(pattern.match(bad)) << bad;
+      EXPECT_FALSE(matches_pattern(bad, description)) << bad;
+    }
+  EXPECT_EQ(normalised("4.750", description), "4.75");
+  EXPECT_EQ(normalised("+4", description), "4");
+  EXPECT_EQ(normalised(" none", description), "none");
+  EXPECT_NE(allowed_instead("4,75", description).find("not a comma"),
+            std::string::npos);
+  EXPECT_FALSE(NumberOrWordPattern::word_of("[Anything]").has_value());
+}
+
+
+TEST(Program, comma_that_may_be_decimal_is_refused)
+{
+  const std::string list =
+    "[List of <[Double -MAX_DOUBLE...MAX_DOUBLE (inclusive)]> of length 0...3 "
+    "(inclusive)]";
+  for (const char *const clear : {"",
+                                  "0, 25",
+                                  "0 , 25",
+                                  "1,2,3",
+                                  "0,-25",
+                                  "0.5,25",
+                                  "0,2.5",
+                                  "-6.0,0.",
+                                  "1, 2, 3"})
+    EXPECT_TRUE(matches_pattern(clear, list)) << clear;
+  for (const char *const unclear :
+       {"0,25", "-0,25", "1, 0,25", "0,25, 1", " 0,25 ", "1e3,5"})
+    EXPECT_FALSE(matches_pattern(unclear, list)) << unclear;
+  EXPECT_NE(allowed_instead("0,25", list).find("blanks (0, 25)"),
+            std::string::npos);
+  // Other lists are not of numbers.
+  EXPECT_TRUE(
+    matches_pattern("0,1",
+                    "[List of <[Anything]> of length 0...3 (inclusive)]"));
 }
 
 

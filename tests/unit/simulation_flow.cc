@@ -14,7 +14,7 @@ using namespace Waker;
 namespace
 {
   const std::vector<std::string> quick = {"Grid/Cell size=0.5",
-                                          "Grid/Upper corner=3,2",
+                                          "Grid/Upper corner=3, 2",
                                           "Inflow/mouth/Velocity=1",
                                           "Soil profile/strip/Velocity=1;0",
                                           "Time stepping/End time=3"};
@@ -138,8 +138,8 @@ TEST(SimulationFlow, BadInput)
   EXPECT_EQ(where({}), "");
   EXPECT_EQ(where({"Inflow/mouth/Material=sand"}), "Inflow/mouth/Material");
   EXPECT_EQ(where({"Inflow/mouth/Velocity=0"}), "--set Inflow/mouth/Velocity");
-  EXPECT_EQ(where({"Inflow/mouth/To=0,0"}), "--set Inflow/mouth/To");
-  EXPECT_EQ(where({"Inflow/mouth/Face=bottom", "Inflow/mouth/To=1,0"}),
+  EXPECT_EQ(where({"Inflow/mouth/To=0, 0"}), "--set Inflow/mouth/To");
+  EXPECT_EQ(where({"Inflow/mouth/Face=bottom", "Inflow/mouth/To=1, 0"}),
             "Inflow/mouth/Face"); // the base holds it
   EXPECT_EQ(where({"Outflow/Faces=right,left"}), "Inflow/mouth/Face");
   EXPECT_EQ(where({"Outflow/Faces=bottom"}), "Outflow/Faces");
