@@ -2,6 +2,7 @@
 #include <waker/base/errors.h>
 #include <waker/base/hash.h>
 #include <waker/base/read_file.h>
+#include <waker/output/output_files.h>
 #include <waker/program/parameter_hash.h>
 #include <waker/reliability/free_parameters.h>
 
