@@ -31,7 +31,8 @@ COLUMNS = ("scenario", "realisation", "outcome", "initial_failure_time",
 NOTES = (
     "outcome: 0 stable, 1 initial failure, 2 flooding, 3 numerical failure, "
     "4 still moving, 5 loads still change, 6 stopped by the box",
-    "class: 0 none, 1 initial only, 2 retrogressive, 3 horizontal, 4 outer",
+    "class: 0 none, 1 initial only, 2 retrogressive, 3 horizontal, 4 outer, "
+    "5 settled, 6 overflow",
     "initial_failure_time: by width or height; inner_slide_time, "
     "outer_slide_time: by displacement",
     "times in s, width and height in m",

@@ -18,6 +18,7 @@ import argparse
 import json
 import os
 import sys
+import textwrap
 
 import matplotlib
 
@@ -133,6 +134,16 @@ def colour_points(figure, axes, position, sides, field):
     return bar
 
 
+def fit_label(figure, bar):
+    """In as many lines as the height of the bar asks for."""
+    figure.draw_without_rendering()
+    height = bar.ax.get_window_extent().height / figure.dpi * 72.0  # points
+    label = bar.ax.yaxis.label
+    letters = int(height / (0.55 * label.get_fontsize()))
+    label.set_text(textwrap.fill(label.get_text(), max(10, letters),
+                                 break_long_words=False))
+
+
 def plot(run, frame, choice, output, dpi):
     """Returns the Field that was drawn; None if no points are left."""
     series = read_series(run, "particles")
@@ -179,8 +190,9 @@ def plot(run, frame, choice, output, dpi):
                       linewidth=0, zorder=0.5)
         axes.add_collection(LineCollection(segments, colors="red",
                                            linewidths=1.0, zorder=2))
+    bar = None
     if len(position) > 0:
-        colour_points(figure, axes, position, sides, field)
+        bar = colour_points(figure, axes, position, sides, field)
     else:
         axes.text(0.5, 0.5, "no soil is left", ha="center", va="center",
                   transform=axes.transAxes)
@@ -201,6 +213,8 @@ def plot(run, frame, choice, output, dpi):
         with open(summary_path, encoding="utf-8") as file:
             title += f": {json.load(file)['outcome']}"
     axes.set_title(title)
+    if bar is not None:
+        fit_label(figure, bar)
     figure.savefig(output, dpi=dpi, bbox_inches="tight")
     plt.close(figure)
     print(f"{output}: {len(position)} points at t = {time:g} s")

@@ -22,10 +22,12 @@ from estimates import proportion
 # Flags of "outcome" and "failure_class" in the store.
 (STABLE, INITIAL_FAILURE, FLOODING, NUMERICAL_FAILURE, STILL_MOVING,
  LOADS_CHANGE, STOPPED_BY_BOX) = range(7)
-NONE, INITIAL_ONLY, RETROGRESSIVE, HORIZONTAL, OUTER = range(5)
+(NONE, INITIAL_ONLY, RETROGRESSIVE, HORIZONTAL, OUTER, SETTLED,
+ OVERFLOW) = range(7)
 OUTCOMES = ("stable", "initial failure", "flooding", "numerical failure",
             "still moving", "loads still change", "stopped by the box")
-CLASSES = ("none", "initial only", "retrogressive", "horizontal", "outer")
+CLASSES = ("none", "initial only", "retrogressive", "horizontal", "outer",
+           "settled", "overflow")
 
 
 def text(value):
@@ -116,8 +118,11 @@ class Scenario:
         counts = {name: len(self.times(event))
                   for name, event in events.items()}
         rows = {name: (count, self.n) for name, count in counts.items()}
-        rows["F_given_S1"] = counts["F"], counts["S1"]
-        rows["F_given_S1_thesis"] = counts["F"], counts["S1_thesis"]
+        floods = self.event_time("flooding") >= 0  # also over dykes without S1
+        for name in ("S1", "S1_thesis"):
+            fails = self.event_time(events[name]) >= 0
+            rows["F_given_" + name] = (int((fails & floods & self.counted)
+                                           .sum()), counts[name])
         return {name: proportion(count, n) + (count, n)
                 for name, (count, n) in rows.items()}
 

@@ -205,19 +205,21 @@ def width_of_floods(stores):
 
 
 def initiation_by_side(stores):
-    """Median time of S1 at the lowest water: outer slope, the other ones."""
+    """Median time of S1 at the lowest water: outer slope, inner one."""
     if not stores.levels:
         return None
     scenario = stores.levels[-1]
-    outer = scenario["failure_class"] == campaign.OUTER
+    kind = scenario["failure_class"]
+    outer = kind == campaign.OUTER
+    inner = ~outer & (kind != campaign.SETTLED) & (kind != campaign.OVERFLOW)
     times = scenario.event_time("initial_failure")
     failed = scenario.counted & ~np.isnan(times)
-    if not (failed & outer).any() or not (failed & ~outer).any():
+    if not (failed & outer).any() or not (failed & inner).any():
         return None
     return (f"median {np.median(times[failed & outer]):.2f} s outer, "
-            f"{np.median(times[failed & ~outer]):.2f} s inner", "",
+            f"{np.median(times[failed & inner]):.2f} s inner", "",
             f"{int((failed & outer).sum())} and "
-            f"{int((failed & ~outer).sum())}")
+            f"{int((failed & inner).sum())}")
 
 
 def wider(stores):

@@ -64,8 +64,18 @@ namespace Waker
         return;
       }
 
-    auto parsed = std::make_shared<const Expression<2>>(
-      text, path, ", or a table \"t0: y0, t1: y1, ...\"");
+    const std::string or_a_table = ", or a table \"t0: y0, t1: y1, ...\"";
+    std::shared_ptr<const Expression<2>> parsed;
+    try
+      {
+        parsed = std::make_shared<const Expression<2>>(text, path, or_a_table);
+      }
+    catch (const UserError &)
+      {
+        // The same, with the variables that are allowed here.
+        const NamedExpression of_time(text, path, {"t"}, or_a_table);
+        throw;
+      }
     if (!parsed->is_uniform())
       throw UserError(path, in_quotes(text) + " depends on the place", allowed);
     const double start = parsed->value(Point<2>(), 0.);

@@ -88,7 +88,10 @@ namespace Waker
       {
         const std::string path = "Tractions/" + item.parameters.name;
         if (item.part.empty())
-          throw UserError(path + "/Method",
+          throw UserError(path + (!item.parameters.from.empty() ? "/From"
+                                  : !item.parameters.facing.empty()
+                                    ? "/Facing"
+                                    : "/Method"),
                           "no part of the surface is selected: there is "
                           "nothing to load",
                           "From, To and Facing that leave a part of the "

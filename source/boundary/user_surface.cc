@@ -2,6 +2,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <waker/base/errors.h>
+#include <waker/base/places.h>
 #include <waker/boundary/user_surface.h>
 
 #include <algorithm>
@@ -17,9 +18,7 @@ namespace Waker
     std::string
     place(const Point<2> &x)
     {
-      std::ostringstream text;
-      text << "(" << x << ") m";
-      return text.str();
+      return place_text(x) + " m";
     }
 
 
@@ -176,7 +175,7 @@ namespace Waker
               x[d] <= grid.upper_corner()[d] + tolerance))
           {
             std::ostringstream where;
-            where << "the vertex (" << x << ") m of " << name
+            where << "the vertex " << place_text(x) << " m of " << name
                   << " lies outside the grid";
             throw UserError(path,
                             where.str(),

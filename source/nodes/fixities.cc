@@ -3,6 +3,7 @@
 
 #include <waker/base/errors.h>
 #include <waker/base/expression.h>
+#include <waker/base/places.h>
 #include <waker/nodes/fixities.h>
 
 #include <algorithm>
@@ -97,7 +98,7 @@ namespace Waker
             {
               std::ostringstream what;
               what << "\"" << expression.text() << "\" is " << u
-                   << " m at t = 0 in the node (" << x << ")";
+                   << " m at t = 0 in the node " << place_text(x);
               throw UserError(path,
                               what.str(),
                               "displacements that start at 0");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/observers/observer.h>
 
+#include <limits>
 #include <numeric>
 #include <string>
 
@@ -88,8 +89,12 @@ namespace Waker
         const Tensor<1, dim> p = momentum(view.points);
         for (unsigned int d = 0; d < dim; ++d)
           row.add(names[0][d], p[d]);
+        // Of a step: there has been none at the start.
+        const bool known = view.step > 0;
         for (unsigned int d = 0; d < dim; ++d)
-          row.add(names[1][d], view.report.reaction[d]);
+          row.add(names[1][d],
+                  known ? view.report.reaction[d]
+                        : std::numeric_limits<double>::quiet_NaN());
         for (unsigned int d = 0; d < 2; ++d)
           row.add(names[2][d], view.water.force[d]);
       }

@@ -4,6 +4,7 @@
 
 #include <waker/base/errors.h>
 #include <waker/base/numbers.h>
+#include <waker/base/places.h>
 #include <waker/particles/layer.h>
 
 #include <algorithm>
@@ -159,7 +160,7 @@ namespace Waker
         {
           std::ostringstream where;
           where << "\"" << expression.text() << "\" is " << value
-                << " at the point (" << x << ") m";
+                << " at the point " << place_text(x) << " m";
           throw UserError(path,
                           where.str(),
                           "a finite number (" + unit + ") at every point");

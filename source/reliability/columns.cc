@@ -236,7 +236,7 @@ namespace Waker
      "1",
      "how the dyke failed",
      [](const A &a) { return static_cast<std::int8_t>(a.failure_class); },
-     "none initial_only retrogressive horizontal outer"},
+     "none initial_only retrogressive horizontal outer settled overflow"},
     {"still_moving",
      "1",
      "the dyke was not at rest at the end",

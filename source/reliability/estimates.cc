@@ -8,14 +8,23 @@ namespace Waker
 {
   namespace
   {
+    /// @param n_both floods of dykes that have failed, not of others
     Estimate
     make_estimate(const std::uint64_t n_initial,
                   const std::uint64_t n_flooding,
+                  const std::uint64_t n_both,
                   const std::uint64_t n)
     {
       return {proportion(n_initial, n),
               proportion(n_flooding, n),
-              proportion(n_flooding, n_initial)};
+              proportion(n_both, n_initial)};
+    }
+
+
+    bool
+    fails_and_floods(const Record &record)
+    {
+      return record.failed() && record.flooded();
     }
 
 
@@ -66,9 +75,7 @@ namespace Waker
             n_flooding += record.flooded();
             n_both += fails && record.flooded();
           }
-      return Estimate{proportion(n_initial, n),
-                      proportion(n_flooding, n),
-                      proportion(n_both, n_initial)};
+      return make_estimate(n_initial, n_flooding, n_both, n);
     };
     result.by_any          = with(FailureReading::any);
     result.by_geometry     = with(FailureReading::by_geometry);
@@ -76,7 +83,8 @@ namespace Waker
     result.by_displacement = with(FailureReading::by_displacement);
 
     std::uint64_t n_inner = 0, n_outer = 0, n_watched = 0;
-    std::uint64_t n_initial_then_lost = 0, n_flooding_then_lost = 0;
+    std::uint64_t n_initial_then_lost = 0, n_flooding_then_lost = 0,
+                  n_both_then_lost = 0;
     for (const Record &record : records)
       if (counts(record))
         {
@@ -95,21 +103,43 @@ namespace Waker
           result.n_stopped_by_box += record.outcome == Outcome::stopped_by_box;
           n_initial_then_lost += record.failed();
           n_flooding_then_lost += record.flooded();
+          n_both_then_lost += fails_and_floods(record);
         }
     result.inner_slides = proportion(n_inner, n_watched);
     result.outer_slides = proportion(n_outer, n_watched);
 
-    const std::uint64_t lost       = result.n_numerical + result.n_undecided();
+    const std::uint64_t lost       = result.n_lost();
     const std::uint64_t all        = result.n + lost;
     const std::uint64_t n_initial  = result.by_any.initial.count;
     const std::uint64_t n_flooding = result.by_any.flooding.count;
+    const std::uint64_t n_both     = result.by_any.flooding_given.count;
+    const std::uint64_t may_flood  = result.n_not_final + lost;
     result.if_all_failed           = make_estimate(n_initial + lost,
-                                         n_flooding + result.n_not_final + lost,
+                                         n_flooding + may_flood,
+                                         n_both + may_flood,
                                          all);
     result.if_none_failed = make_estimate(n_initial + n_initial_then_lost,
                                           n_flooding + n_flooding_then_lost,
+                                          n_both + n_both_then_lost,
                                           all);
     return result;
+  }
+
+
+  std::string
+  undecided_text(const std::uint64_t n_lost,
+                 const std::uint64_t n_not_final,
+                 const std::uint64_t n_all)
+  {
+    std::string text;
+    if (n_lost > 0)
+      text =
+        std::to_string(n_lost) + " of " + std::to_string(n_all) + " undecided";
+    if (n_not_final > 0)
+      text += (text.empty() ? "" : ", ") + std::to_string(n_not_final) +
+              (n_not_final == 1 ? " initial failure" : " initial failures") +
+              " not final";
+    return text;
   }
 
 
@@ -133,6 +163,14 @@ namespace Waker
       event_times(records,
                   [](const Record &record) { return record.flooding_time; });
 
+    const std::vector<double> both =
+      event_times(records, [](const Record &record) {
+        return fails_and_floods(record)
+                 ? std::max(record.flooding_time,
+                            record.time_of(FailureReading::any))
+                 : -1.;
+      });
+
     std::vector<double> times = {0., end};
     times.insert(times.end(), initial.begin(), initial.end());
     times.insert(times.end(), flooding.begin(), flooding.end());
@@ -148,9 +186,11 @@ namespace Waker
     std::vector<EstimateRow> rows;
     rows.reserve(times.size());
     for (const double time : times)
-      rows.push_back(
-        {time,
-         make_estimate(n_until(initial, time), n_until(flooding, time), n)});
+      rows.push_back({time,
+                      make_estimate(n_until(initial, time),
+                                    n_until(flooding, time),
+                                    n_until(both, time),
+                                    n)});
     return rows;
   }
 
@@ -172,7 +212,7 @@ namespace Waker
 
     std::vector<EstimateRow> rows;
     const double             n         = static_cast<double>(ordered.size());
-    std::uint64_t            n_initial = 0, n_flooding = 0;
+    std::uint64_t            n_initial = 0, n_flooding = 0, n_both = 0;
     // where the next row is due: n^(row / (n_rows - 1)), but each number once
     unsigned int row  = 0;
     double       next = 1.;
@@ -180,10 +220,12 @@ namespace Waker
       {
         n_initial += ordered[i]->failed();
         n_flooding += ordered[i]->flooded();
+        n_both += fails_and_floods(*ordered[i]);
         const double number = i + 1.;
         if (number < next && i + 1 < ordered.size())
           continue;
-        rows.push_back({number, make_estimate(n_initial, n_flooding, i + 1)});
+        rows.push_back(
+          {number, make_estimate(n_initial, n_flooding, n_both, i + 1)});
         while (next <= number && row + 1 < n_rows)
           {
             ++row;

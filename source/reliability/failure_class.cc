@@ -8,13 +8,45 @@ namespace Waker
 {
   namespace
   {
+    /// Were slides watched by displacement? Not by version 0.1.
+    bool
+    watches_slopes(const Record &record)
+    {
+      return !std::isnan(record.outer_slide.time);
+    }
+
+
+    bool
+    overflows(const Record &record)
+    {
+      const double failure = record.time_of(FailureReading::any);
+      return record.flooded() &&
+             !(failure >= 0. && failure <= record.flooding_time);
+    }
+
+
+    /// Without any body that has moved.
+    bool
+    only_settles(const Record &record)
+    {
+      return watches_slopes(record) && record.slope().empty() &&
+             record.first_inward.area == 0. &&
+             record.first_outward.area == 0. && record.inward.area == 0. &&
+             record.outward.area == 0.;
+    }
+
+
     bool
     goes_outwards(const Record &record)
     {
+      if (watches_slopes(record) && record.slope() != "both")
+        return record.slope() == "outer";
       if (record.first_outward.area != record.first_inward.area)
         return record.first_outward.area > record.first_inward.area;
       if (record.outward.area != record.inward.area)
         return record.outward.area > record.inward.area;
+      if (watches_slopes(record))
+        return record.outer_slide.time < record.inner_slide.time;
       return record.residual_width > record.initial_width;
     }
 
@@ -79,6 +111,10 @@ namespace Waker
           return "horizontal";
         case FailureClass::outer:
           return "outer";
+        case FailureClass::settled:
+          return "settled";
+        case FailureClass::overflow:
+          return "overflow";
       }
     return "";
   }
@@ -89,6 +125,8 @@ namespace Waker
            const std::vector<Slide> &slides,
            const double              base_level)
   {
+    if (overflows(record))
+      return FailureClass::overflow;
     if (!record.failed())
       return FailureClass::none;
     // The geometry has not changed.
@@ -97,6 +135,8 @@ namespace Waker
                                        : FailureClass::initial_only;
     if (goes_outwards(record))
       return FailureClass::outer;
+    if (only_settles(record))
+      return FailureClass::settled;
     if (is_translated(record, slides, base_level))
       return FailureClass::horizontal;
     return slides.size() > 1 ? FailureClass::retrogressive

@@ -13,6 +13,9 @@ namespace Waker
 {
   namespace
   {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+
     /// Slope at an end: of the parabola through three points, kept from
     /// overshooting (Moler 2004, "pchip").
     double
@@ -57,27 +60,74 @@ namespace Waker
     }
 
 
+    /// Of a point: its bounds, or those of its proportion.
+    Interval
+    interval_of(const FragilityPoint &point,
+                Proportion FragilityPoint::*const which,
+                std::optional<Interval> FragilityPoint::*const bounds)
+    {
+      const Proportion &p = point.*which;
+      return (point.*bounds).value_or(Interval{p.low, p.high});
+    }
+
+
     BoundedCurve
     make_curve(const std::vector<FragilityPoint> &points,
                Proportion FragilityPoint::*const which,
-               const bool                        rising)
+               std::optional<Interval> FragilityPoint::*const bounds,
+               const bool                                     rising)
     {
       Assert(!points.empty(), dealii::ExcInternalError());
       std::vector<double> levels, weights, estimates, low, high;
       for (const FragilityPoint &point : points)
+        if ((point.*which).n > 0)
+          {
+            const Proportion &p = point.*which;
+            const Interval    b = interval_of(point, which, bounds);
+            levels.push_back(point.water_level);
+            weights.push_back(static_cast<double>(p.n));
+            estimates.push_back(p.estimate);
+            low.push_back(b.low);
+            high.push_back(b.high);
+          }
+      if (rising)
+        for (std::vector<double> *const values : {&estimates, &low, &high})
+          *values = make_rising(*values, weights);
+      const FragilityCurve estimate = levels.empty()
+                                        ? FragilityCurve({0.}, {nan})
+                                        : FragilityCurve(levels, estimates);
+
+      // Where none counts, the bounds of others hold that rise to it.
+      std::vector<double> all_levels, all_low, all_high;
+      std::size_t         next = 0; // level at which realisations count
+      for (const FragilityPoint &point : points)
         {
-          const Proportion &p = point.*which;
-          levels.push_back(point.water_level);
-          weights.push_back(static_cast<double>(p.n));
-          estimates.push_back(p.estimate);
-          low.push_back(p.low);
-          high.push_back(p.high);
+          all_levels.push_back(point.water_level);
+          if ((point.*which).n > 0)
+            {
+              all_low.push_back(low[next]);
+              all_high.push_back(high[next]);
+              ++next;
+              continue;
+            }
+          Interval b = interval_of(point, which, bounds);
+          if (rising && next > 0)
+            b.low = std::max(b.low, low[next - 1]);
+          if (rising && next < levels.size())
+            b.high = std::min(b.high, high[next]);
+          all_low.push_back(b.low);
+          all_high.push_back(b.high);
         }
-      const auto curve = [&](const std::vector<double> &values) {
-        return FragilityCurve(levels,
-                              rising ? make_rising(values, weights) : values);
-      };
-      return {curve(estimates), curve(low), curve(high)};
+      return {estimate,
+              FragilityCurve(all_levels, all_low),
+              FragilityCurve(all_levels, all_high)};
+    }
+
+
+    Interval
+    interval(const BoundedProbability &p)
+    {
+      return {p.low, p.high};
     }
 
 
@@ -116,11 +166,15 @@ namespace Waker
         const ScenarioInfo    &scenario = info.scenarios[s];
         const ScenarioEstimate e        = estimate(records_by_scenario[s]);
         // without water there is no level
-        if (e.n > 0 && std::isfinite(scenario.water_level))
+        if (e.n + e.n_lost() > 0 && std::isfinite(scenario.water_level))
           points.push_back({scenario.water_level,
                             scenario.crest_level - scenario.water_level,
                             e.by_any.initial,
-                            e.by_any.flooding});
+                            e.by_any.flooding,
+                            e.n_lost(),
+                            e.n_not_final,
+                            interval(e.initial()),
+                            interval(e.flooding())});
       }
     std::sort(points.begin(), points.end(), [](const auto &a, const auto &b) {
       return a.water_level < b.water_level;
@@ -215,8 +269,7 @@ namespace Waker
   {
     const auto finite = [](const double p) {
       const double beta = reliability_index(p);
-      return std::isfinite(beta) ? beta
-                                 : std::numeric_limits<double>::quiet_NaN();
+      return std::isfinite(beta) ? beta : nan;
     };
     return {finite(probability.estimate),
             finite(probability.high),
@@ -228,21 +281,37 @@ namespace Waker
   BoundedCurve::at(const double level) const
   {
     const double p = estimate(level);
-    return {p, std::min(p, low(level)), std::max(p, high(level))};
+    return {p, std::fmin(p, low(level)), std::fmax(p, high(level))};
+  }
+
+
+  BoundedProbability
+  BoundedCurve::at(const FragilityPoint &point) const
+  {
+    BoundedProbability p = at(point.water_level);
+    if (point.flooding.n == 0)
+      p = {nan, low(point.water_level), high(point.water_level)};
+    return p;
   }
 
 
   BoundedCurve
   initial_failure_curve(const std::vector<FragilityPoint> &points)
   {
-    return make_curve(points, &FragilityPoint::initial, false);
+    return make_curve(points,
+                      &FragilityPoint::initial,
+                      &FragilityPoint::initial_bounds,
+                      false);
   }
 
 
   BoundedCurve
   flooding_curve(const std::vector<FragilityPoint> &points)
   {
-    return make_curve(points, &FragilityPoint::flooding, true);
+    return make_curve(points,
+                      &FragilityPoint::flooding,
+                      &FragilityPoint::flooding_bounds,
+                      true);
   }
 
 
@@ -253,7 +322,7 @@ namespace Waker
     const double p = integrate(curve.estimate, distribution);
     // as in BoundedCurve::at()
     return {p,
-            std::min(p, integrate(curve.low, distribution)),
-            std::max(p, integrate(curve.high, distribution))};
+            std::fmin(p, integrate(curve.low, distribution)),
+            std::fmax(p, integrate(curve.high, distribution))};
   }
 } // namespace Waker

@@ -22,13 +22,6 @@ namespace Waker
     }
 
 
-    BoundedProbability
-    bounded(const Proportion &p)
-    {
-      return {p.estimate, p.low, p.high};
-    }
-
-
     /// What beta is where the probability is so.
     EstimateKind
     kind_of_index(const double probability)
@@ -48,7 +41,10 @@ namespace Waker
     {
       CsvTable table("water_level,freeboard,n,n_S1" + titles_with_index("S1") +
                      ",n_F" + titles_with_index("F") +
-                     titles_with_index("F_monotone"));
+                     titles_with_index("F_monotone") +
+                     ",n_undecided,n_S1_not_final,P_S1_if_none_failed_low,"
+                     "P_S1_if_all_failed_high,P_F_if_none_failed_low,"
+                     "P_F_if_all_failed_high");
       if (points.empty())
         return table.finish();
       const BoundedCurve monotone = flooding_curve(points);
@@ -59,7 +55,13 @@ namespace Waker
           add_with_index(table, bounded(point.initial));
           table.cell(point.flooding.count);
           add_with_index(table, bounded(point.flooding));
-          add_with_index(table, monotone.at(point.water_level));
+          add_with_index(table, monotone.at(point));
+          table.cell(point.n_lost).cell(point.n_not_final);
+          for (const auto &[p, bounds] :
+               {std::pair(point.initial, point.initial_bounds),
+                std::pair(point.flooding, point.flooding_bounds)})
+            table.cell(bounds ? bounds->low : p.low)
+              .cell(bounds ? bounds->high : p.high);
         }
       return table.finish();
     }
@@ -99,7 +101,7 @@ namespace Waker
       const BoundedCurve curve = flooding_curve(points);
       for (const FragilityPoint &point : points)
         {
-          const BoundedProbability p    = curve.at(point.water_level);
+          const BoundedProbability p    = curve.at(point);
           const BoundedIndex       beta = reliability_index(p);
           table.row().cell(point.water_level).cell(beta.estimate);
           table.cell(beta.low).cell(beta.high);
@@ -116,11 +118,12 @@ namespace Waker
       if (points.empty())
         return table.finish();
       const BoundedCurve curve = flooding_curve(points);
-      for (std::size_t i = 0; i < points.size(); ++i)
-        if (kind_of(curve.estimate.values[i]) == EstimateKind::estimate)
-          table.row()
-            .cell(points[i].water_level)
-            .cell(curve.estimate.values[i]);
+      for (const FragilityPoint &point : points)
+        {
+          const BoundedProbability p = curve.at(point);
+          if (kind_of(p.estimate) == EstimateKind::estimate)
+            table.row().cell(point.water_level).cell(p.estimate);
+        }
       return table.finish();
     }
 

@@ -144,7 +144,9 @@ namespace Waker
       for (const bool flooded : {false, true})
         {
           const auto failure_class = static_cast<FailureClass>(c);
-          if (failure_class != FailureClass::none || !flooded)
+          // none of none floods, all overflow does
+          if ((failure_class != FailureClass::none || !flooded) &&
+              (failure_class != FailureClass::overflow || flooded))
             result.push_back(
               {failure_class, flooded, proportion(counts_of[c][flooded], n)});
         }

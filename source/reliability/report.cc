@@ -25,10 +25,11 @@ namespace Waker
 
 
     /// "0.12 [0.1, 0.14]", or of a bound "at most 0.01".
+    template <typename Bounded>
     std::string
-    probability_text(const BoundedProbability &p)
+    bounded_text(const Bounded &p, const EstimateKind kind)
     {
-      switch (kind_of(p.estimate))
+      switch (kind)
         {
           case EstimateKind::unknown:
             return "-";
@@ -45,6 +46,13 @@ namespace Waker
 
 
     std::string
+    probability_text(const BoundedProbability &p)
+    {
+      return bounded_text(p, kind_of(p.estimate));
+    }
+
+
+    std::string
     line(const std::string &name, const Proportion &p)
     {
       char text[200];
@@ -52,7 +60,7 @@ namespace Waker
                     sizeof text,
                     "\n  %-8s %-30s %llu of %llu",
                     name.c_str(),
-                    probability_text({p.estimate, p.low, p.high}).c_str(),
+                    probability_text(bounded(p)).c_str(),
                     static_cast<unsigned long long>(p.count),
                     static_cast<unsigned long long>(p.n));
       return p.n == 0 ? "\n  " + name + " -" : text;
@@ -72,8 +80,8 @@ namespace Waker
       add("all mechanisms", risk.all_mechanisms);
       add("macro-instability", risk.macro_instability);
       if (risk.risk)
-        text += "\n    risk " + number(risk.risk->estimate) + " euro [" +
-                number(risk.risk->low) + ", " + number(risk.risk->high) + "]";
+        text +=
+          "\n    risk " + bounded_text(*risk.risk, risk.risk->kind) + " euro";
       return text;
     }
 
@@ -89,7 +97,11 @@ namespace Waker
              (std::isfinite(yearly.share_from_above)
                 ? ", which makes up " + number(100. * yearly.share_from_above) +
                     " % of P(F)"
-                : "");
+                : "") +
+             (yearly.undecided.empty()
+                ? ""
+                : "\n    " + yearly.undecided +
+                    ": the bounds hold whatever these would have done");
     }
   } // namespace
 
@@ -126,11 +138,13 @@ namespace Waker
 
 
     std::vector<std::string>
-    all_notes(const CampaignInfo                  &info,
-              const std::vector<AnalysedScenario> &scenarios,
-              const std::vector<FragilityPoint>   &points)
+    all_notes(const CampaignInfo                     &info,
+              const std::vector<AnalysedScenario>    &scenarios,
+              const std::vector<std::vector<Record>> &records_by_scenario,
+              const std::vector<FragilityPoint>      &points)
     {
-      std::vector<std::string> notes;
+      std::vector<std::string> notes =
+        undecided_notes(info, records_by_scenario);
       for (const AnalysedScenario &scenario : scenarios)
         {
           const ScenarioEstimate e = estimate(*scenario.records);
@@ -162,7 +176,8 @@ namespace Waker
     const auto distribution = read_level_distribution(parameters.risk);
     const auto scenarios    = analyse(info, records_by_scenario, parameters);
     const auto points       = fragility_points(info, records_by_scenario);
-    std::vector<std::string>    notes = all_notes(info, scenarios, points);
+    std::vector<std::string> notes =
+      all_notes(info, scenarios, records_by_scenario, points);
     const std::optional<Yearly> yearly_risk = yearly(
       info.swept_parameter, points, distribution, parameters.risk, notes);
 
@@ -212,7 +227,7 @@ namespace Waker
         const ScenarioEstimate e = estimate(*scenario.records);
         if (!info.swept_parameter.empty())
           text += "\n" + info.swept_parameter + " = " + scenario.info->value;
-        const std::uint64_t lost = e.n_numerical + e.n_undecided();
+        const std::uint64_t lost = e.n_lost();
         if (e.n + lost == 0)
           {
             text += "\n  no realisation yet";
@@ -267,7 +282,8 @@ namespace Waker
       }
 
     const auto points = fragility_points(info, records_by_scenario);
-    std::vector<std::string>    notes = all_notes(info, scenarios, points);
+    std::vector<std::string> notes =
+      all_notes(info, scenarios, records_by_scenario, points);
     const std::optional<Yearly> yearly_risk = yearly(
       info.swept_parameter, points, distribution, parameters.risk, notes);
     if (yearly_risk)

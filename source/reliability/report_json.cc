@@ -114,7 +114,8 @@ namespace Waker
       if (risk.risk)
         json["risk_euro"] = {{"estimate", risk.risk->estimate},
                              {"low", risk.risk->low},
-                             {"high", risk.risk->high}};
+                             {"high", risk.risk->high},
+                             {"kind", to_string(risk.risk->kind)}};
       else
         json["risk_euro"] = nullptr;
       return json;
@@ -134,7 +135,8 @@ namespace Waker
       json["P_level_above_the_highest"]    = yearly->above_the_highest;
       json["P_level_above_the_crest"]      = yearly->above_the_crest;
       json["share_from_above_the_highest"] = yearly->share_from_above;
-      json["risk"] = risk_json(yearly->flooding, yearly->risk);
+      json["risk"]      = risk_json(yearly->flooding, yearly->risk);
+      json["undecided"] = yearly->undecided;
       return json;
     }
 
@@ -148,12 +150,14 @@ namespace Waker
       const BoundedCurve monotone = flooding_curve(points);
       for (const FragilityPoint &point : points)
         {
-          const BoundedProbability flooding = monotone.at(point.water_level);
+          const BoundedProbability flooding = monotone.at(point);
           Json                     entry;
           entry["water_level"]     = point.water_level;
           entry["freeboard"]       = point.freeboard;
           entry["P_S1"]            = to_json(point.initial);
           entry["P_F"]             = to_json(point.flooding);
+          entry["n_undecided"]     = point.n_lost;
+          entry["n_S1_not_final"]  = point.n_not_final;
           entry["P_F_monotone"]    = to_json(flooding);
           entry["beta_F_monotone"] = to_json(reliability_index(flooding));
           json.push_back(entry);

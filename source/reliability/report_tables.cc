@@ -63,8 +63,7 @@ namespace Waker
   BoundedProbability
   flooding_of(const AnalysedScenario &scenario)
   {
-    const Proportion f = estimate(*scenario.records).by_any.flooding;
-    return {f.estimate, f.low, f.high};
+    return estimate(*scenario.records).flooding();
   }
 
 

@@ -47,9 +47,10 @@ namespace Waker
         result.macro_instability = {share, compare(flooding, share)};
       }
     if (parameters.consequence > 0.)
-      result.risk = {flooding.estimate * parameters.consequence,
-                     flooding.low * parameters.consequence,
-                     flooding.high * parameters.consequence};
+      result.risk = Amount{flooding.estimate * parameters.consequence,
+                           flooding.low * parameters.consequence,
+                           flooding.high * parameters.consequence,
+                           kind_of(flooding.estimate)};
     return result;
   }
 

@@ -196,10 +196,7 @@ namespace Waker
       {
         std::vector<BoundedProbability> values;
         for (const ScenarioEstimate &e : estimates)
-          {
-            const Proportion p = named.of(e);
-            values.push_back({p.estimate, p.low, p.high});
-          }
+          values.push_back(bounded(named.of(e)));
         write_probability(file, named.name, named.long_name, values);
       }
 
@@ -208,12 +205,12 @@ namespace Waker
     std::vector<BoundedProbability> monotone;
     for (const ScenarioInfo &scenario : info.scenarios)
       {
-        const bool has_point =
-          std::any_of(points.begin(), points.end(), [&](const auto &point) {
-            return point.water_level == scenario.water_level;
+        const auto point =
+          std::find_if(points.begin(), points.end(), [&](const auto &p) {
+            return p.water_level == scenario.water_level;
           });
-        monotone.push_back(has_point
-                             ? flooding_curve(points).at(scenario.water_level)
+        monotone.push_back(point != points.end()
+                             ? flooding_curve(points).at(*point)
                              : BoundedProbability{nan, nan, nan});
       }
     write_probability(file,

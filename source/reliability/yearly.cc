@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/reliability/estimates.h>
 #include <waker/reliability/yearly.h>
 
 #include <cstdio>
@@ -85,6 +86,15 @@ namespace Waker
                               result.flooding.estimate;
     result.risk = assess_risk(result.flooding, parameters);
 
+    std::uint64_t n_lost = 0, n_not_final = 0, n_all = 0;
+    for (const FragilityPoint &point : points)
+      {
+        n_lost += point.n_lost;
+        n_not_final += point.n_not_final;
+        n_all += point.flooding.n + point.n_lost;
+      }
+    result.undecided = undecided_text(n_lost, n_not_final, n_all);
+
     notes.push_back(
       "Below the lowest and above the highest swept water level "
       "probabilities are taken as constant; overflow of an intact dyke is "
@@ -94,6 +104,36 @@ namespace Waker
       notes.push_back("The level table does not reach over all swept water "
                       "levels and was extrapolated.");
     return result;
+  }
+
+
+  std::vector<std::string>
+  undecided_notes(const CampaignInfo                     &info,
+                  const std::vector<std::vector<Record>> &records_by_scenario)
+  {
+    std::uint64_t n_lost = 0, n_not_final = 0, n_all = 0;
+    std::string   where;
+    for (std::size_t s = 0; s < records_by_scenario.size(); ++s)
+      {
+        const ScenarioEstimate e   = estimate(records_by_scenario[s]);
+        const std::uint64_t    all = e.n + e.n_lost();
+        const std::string text = undecided_text(e.n_lost(), e.n_not_final, all);
+        n_lost += e.n_lost();
+        n_not_final += e.n_not_final;
+        n_all += all;
+        if (!text.empty() && !info.swept_parameter.empty())
+          where += (where.empty() ? " = " : "; ") + info.scenarios[s].value +
+                   ": " + text;
+      }
+    const std::string all = undecided_text(n_lost, n_not_final, n_all);
+    if (all.empty())
+      return {};
+    return {all +
+            (where.empty() ? "" : " (" + info.swept_parameter + where + ")") +
+            ". Undecided are in no estimate. Bounds of the fragility curves, "
+            "of P per year, of risks and budgets hold whatever these would "
+            "have done: upper ones as if all had failed and flooded, lower "
+            "ones as if nothing more had happened."};
   }
 
 

@@ -128,11 +128,12 @@ namespace Waker
     if (dyke.width > 0.)
       {
         const double water = scene.water_level(0.);
-        if (has_water && dyke.height < water)
+        if (has_water && dyke.height <= water)
           throw UserError("Water/Rise",
                           "puts the water at " + metres(water) +
-                            " m at the start, but the soil rises to " +
-                            metres(dyke.height) + " m: it is flooded",
+                            " m at the start, not below the detected crest "
+                            "at " +
+                            metres(dyke.height) + " m: the dyke is flooded",
                           "less than the crest at t = 0");
         return dyke.level;
       }
@@ -160,7 +161,8 @@ namespace Waker
     scene.tractions.check_something_is_loaded();
     last_load_change = declared_last_load_change(scene);
     measuring_level  = checked_measuring_level(scene);
-    water_touches    = scene.water_resultant.force.norm() > 0.;
+    water_touches    = !scene.water.wetted_segments().empty() ||
+                    !scene.water.wetted_facets().empty();
     scene.tractions.fix_point_loads(points);
     scene.tractions.ride(points, riding_loads);
     for (std::size_t i = 0; i < scene.tractions.size(); ++i)

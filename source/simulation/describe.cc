@@ -117,7 +117,9 @@ namespace Waker
       }
     if (p.water.side != "none" && !the_case.water_touches)
       warn(log,
-           "Water/Level: the water touches no soil at the start, at %g m",
+           "Water/Level: the water touches no soil at the start, at %g m: it "
+           "does not stand above the foreland, and W at that level is the "
+           "width of all soil there, not the dyke's",
            p.water.level);
     if (p.water.side == "none" && !std::isnan(p.water.level) &&
         std::isnan(the_case.measuring_level))

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/base/places.h>
 #include <waker/simulation/initial_properties.h>
 
 #include <algorithm>
@@ -80,7 +81,8 @@ namespace Waker
                 std::ostringstream  what;
                 if (value.varies())
                   what << "\"" << value.expression << "\" ";
-                what << "is " << values[v] << " at the point (" << x << ") m";
+                what << "is " << values[v] << " at the point " << place_text(x)
+                     << " m";
                 throw UserError(value.path, what.str(), allowed);
               }
             for (unsigned int v = 0; v < values.size(); ++v)

@@ -5,6 +5,7 @@
 #include <waker/base/errors.h>
 #include <waker/base/numbers.h>
 #include <waker/base/sizes.h>
+#include <waker/base/time_function.h>
 #include <waker/mechanics/time_scheme.h>
 #include <waker/simulation/parameters.h>
 
@@ -126,6 +127,17 @@ namespace Waker
                           " m, not below the crest at " + number(crest) + " m",
                         "less than " + number(crest) +
                           " m (or Water/Side = none)");
+      // Nor may the water, which need not begin at this level. (Where the
+      // detected surface is lower, the case says so.)
+      const double at_start =
+        water.level + TimeFunction(water.rise, "Water/Rise").value(0.);
+      if (at_start >= crest)
+        throw UserError("Water/Rise",
+                        "puts the water at " + number(at_start) +
+                          " m at the start, not below the crest at " +
+                          number(crest) + " m: the dyke is flooded",
+                        "a level at t = 0, Level + Rise, of less than " +
+                          number(crest) + " m (or Water/Side = none)");
     }
   } // namespace
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/expression.h>
 #include <waker/base/expression_pattern.h>
+#include <waker/base/text.h>
 #include <waker/mechanics/time_scheme.h>
 #include <waker/particles/layer_gaps.h>
 #include <waker/simulation/plausibility.h>
@@ -115,6 +117,82 @@ namespace Waker
             check_strength(path, strength, materials[m].youngs_modulus, ranges);
         }
     }
+    constexpr double usual_traction = 1000.; // kPa
+    constexpr double usual_weights  = 5.;    // of all soil
+
+
+    /// The largest that the numbers of a traction become (kPa), of those that
+    /// are the same everywhere; at some times from the start to the end.
+    double
+    largest_value(const TractionParameters &traction, const double end_time)
+    {
+      double largest = 0.;
+      if (traction.kind == "hydrostatic")
+        return largest;
+      for (const std::string &part : split(traction.value, ';'))
+        {
+          const Expression<3>    value(part,
+                                    "Tractions/" + traction.name + "/Value");
+          constexpr unsigned int n = 8;
+          for (unsigned int i = 0; value.is_uniform() && i <= n; ++i)
+            largest =
+              std::max(largest,
+                       std::abs(value.value(Point<3>(), end_time * i / n)));
+        }
+      return largest;
+    }
+
+
+    /// Of loads in their units: kPa, and weights of the soil.
+    template <int dim>
+    void
+    check_loads(const Case<dim> &the_case, std::vector<std::string> &warnings)
+    {
+      const Parameters &p      = the_case.parameters;
+      double            weight = 0.; // kN
+      for (const double mass : the_case.initial_points.mass)
+        weight += mass * p.gravity.density_acceleration();
+      const auto compare = [&](const std::string &path,
+                               const std::string &of,
+                               const double       force) {
+        if (!(force > usual_weights * weight))
+          return;
+        std::ostringstream text;
+        text << path << ": " << of << " is " << force << " kN, "
+             << force / weight << " times the weight of all soil, " << weight
+             << " kN; loads usually have up to " << usual_weights;
+        warnings.push_back(text.str());
+      };
+
+      for (std::size_t i = 0; i < p.tractions.size(); ++i)
+        {
+          const TractionParameters &traction = p.tractions[i];
+          const std::string         path     = "Tractions/" + traction.name;
+          const auto               &start    = the_case.initial_tractions[i];
+          const double              mean =
+            start.measure > 0. ? start.force.norm() / start.measure : 0.;
+          const double largest =
+            std::max(mean, largest_value(traction, p.time.end_time));
+          if (largest > usual_traction)
+            {
+              std::ostringstream text;
+              text << path << (traction.kind == "hydrostatic" ? "" : "/Value")
+                   << " is " << largest << " kPa; loads on soil have up to "
+                   << usual_traction << " kPa";
+              warnings.push_back(text.str());
+            }
+          compare(path, "its resultant at t = 0", start.force.norm());
+        }
+      for (const PointLoadParameters &load : p.point_loads)
+        {
+          double square = 0.;
+          for (const double component : load.force)
+            square += component * component;
+          compare("Point loads/" + load.name + "/Force",
+                  "its size",
+                  std::sqrt(square));
+        }
+    }
   } // namespace
 
 
@@ -173,6 +251,7 @@ namespace Waker
     const double             h        = the_case.grid.cell_size();
     Ranges                   ranges(warnings);
     check_strengths_of_points(the_case, ranges);
+    check_loads(the_case, warnings);
     const SchemeTraits scheme = scheme_traits(p.time);
     if (scheme.is_implicit && scheme.has_inertia)
       {

@@ -114,6 +114,29 @@ namespace Waker
     }
 
 
+    /// What keeps a dyke moving may be the method: work goes in that comes out
+    /// as mapping loss. "" if it is not that.
+    template <int dim>
+    std::string
+    energy_from_the_mapping(const State<dim> &state, const Outcome outcome)
+    {
+      const EnergyAccount &e    = state.energy;
+      const double         work = std::abs(e.gravity_work + e.water_work);
+      if (outcome != Outcome::still_moving ||
+          !(std::abs(e.mapping_loss) > 0.5 * work))
+        return "";
+      char text[240];
+      std::snprintf(text,
+                    sizeof text,
+                    "Time stepping/Time step: the dyke still moves, and the "
+                    "mapping loss of %.3g kJ is more than half of the work of "
+                    "weight and loads, %.3g kJ: try a smaller time step",
+                    e.mapping_loss,
+                    work);
+      return text;
+    }
+
+
     template <int dim>
     RunStatus
     loop(const Case<dim>  &the_case,
@@ -218,6 +241,9 @@ namespace Waker
                    " s; go on with --resume.");
           return status;
         }
+      const std::string pumped = energy_from_the_mapping(state, outcome);
+      if (!pumped.empty())
+        log.warning(pumped);
       recorder.write_summary(
         state, outcome, unrest, reason, wall.count(), log.warnings());
       describe_result(state,

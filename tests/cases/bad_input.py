@@ -370,8 +370,9 @@ def tractions(cases):
              hydrostatic)
     traction("level below the surface", "Level", "-1",
              "no part of the surface", hydrostatic)
-    traction("nothing there", "Method", "contour", "no part of the surface",
-             "Tractions/load/From=-5, 3", "Tractions/load/To=-4, 4")
+    traction("nothing there", "From", "-5, 3", "no part of the surface",
+             "Tractions/load/To=-4, 4")
+    traction("nothing that faces", "Facing", "0, -1", "no part of the surface")
     traction("a liquid on soil", "Follows", "soil", "liquid", hydrostatic,
              "Tractions/load/Level=1")
     traction("nodes on soil", "Follows", "soil", '"surface nodes"',

@@ -14,6 +14,8 @@ import subprocess
 import sys
 import tempfile
 
+import numpy as np
+
 from synthetic_store import write_store
 from waker_case import Checks
 
@@ -185,6 +187,26 @@ def check_realisations(checks, folder):
     rows, _ = read(folder, "figure_5_11")
     checks.equal("5.11: outer slope at the lowest water",
                  (rows[0]["scenario"], rows[0]["realisation"]), ("2", "2"))
+
+
+def check_fragility_line(checks, source):
+    """The caption of fragility.png and where its line is broken."""
+    sys.path.insert(0, os.path.join(source, "contrib", "plots"))
+    from fragility_figure import estimated_only, undecided
+
+    rows = [{"n": "15", "n_undecided": "15", "n_S1_not_final": "0"},
+            {"n": "90", "n_undecided": "16", "n_S1_not_final": "2"}]
+    checks.equal("fragility: how many are undecided",
+                 undecided(rows).split(":")[0],
+                 "31 of 136 undecided, 2 initial failures not final")
+    checks.equal("fragility: all are decided",
+                 undecided([{"n": "9", "n_undecided": "0",
+                             "n_S1_not_final": "0"}]), "")
+    fine = np.linspace(3.0, 4.5, 7)
+    line = estimated_only(fine, fine, np.array([3.0, 3.5, 4.0, 4.5]), np.array(
+        ["upper bound", "estimate", "estimate", "lower bound"]))
+    checks.equal("fragility: the line beside bounds", list(np.isnan(line)),
+                 [True, True, False, False, False, True, True])
 
 
 def check_other_dyke(checks, source, folder, thesis):
@@ -382,6 +404,7 @@ def main():
         check_realisations(checks, path("out"))
 
         check_other_dyke(checks, source, folder, thesis)
+        check_fragility_line(checks, source)
 
         # A report that counts otherwise is noticed; what is missing is said.
         os.makedirs(path("analysis3/report"))

@@ -135,7 +135,7 @@ def check_block_at_rest(check, waker, folder):
     # To the ten digits of the file.
     check("block at rest: base reaction / weight - 1, largest", error, 0, 1e-9)
     check("block at rest: reaction along x (kN), largest",
-          np.abs(rows["Reaction x (kN)"]).max(), 0, 1e-10)
+          np.abs(rows["Reaction x (kN)"][1:]).max(), 0, 1e-10)
 
 
 def check_block_in_flight(check, waker, folder):

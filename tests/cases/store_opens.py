@@ -70,7 +70,8 @@ ATTRIBUTES = {
 FLAGS = {
     "outcome": "stable initial_failure flooding numerical_failure "
                "still_moving loads_still_change stopped_by_the_box",
-    "failure_class": "none initial_only retrogressive horizontal outer",
+    "failure_class": "none initial_only retrogressive horizontal outer "
+                     "settled overflow",
     "still_moving": "no yes",
     "loads_change": "no yes",
     "at_box": "no yes",

@@ -286,7 +286,12 @@ TEST(Boundary, a_traction_that_loads_nothing_is_a_mistake)
   EXPECT_EQ(complaint([](TractionParameters &t) {
               t.facing = {0., 1.};
             }),
-            "Tractions/contour/Method");
+            "Tractions/contour/Facing");
+  EXPECT_EQ(complaint([](TractionParameters &t) {
+              t.from = {-9., -9.};
+              t.to   = {-8., -8.};
+            }),
+            "Tractions/contour/From");
   EXPECT_EQ(complaint([](TractionParameters &t) {
               t.kind  = "hydrostatic";
               t.level = "-0.5";

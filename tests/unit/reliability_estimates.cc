@@ -268,7 +268,8 @@ TEST(Histograms, classes_add_up)
                                                   make_record(3),
                                                   make_record(4, 2.)};
   records[4].outcome                           = Outcome::numerical_failure;
-  records[1].first_outward                     = {10., -1., -1.};
+  records[1].outer_slide.time                  = 2.;
+  records[2].inner_slide.time                  = 2.;
   const std::vector<std::vector<Slide>> slides = {{},
                                                   {{2, 3, 6.4, 5, false}},
                                                   {{2, 3, 6.1, 5, false},

@@ -2,6 +2,7 @@
 #include <waker/reliability/failure_class.h>
 
 #include "reliability_failed_dyke.h"
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace
@@ -50,10 +51,11 @@ TEST(FailureClasses, of_schematic_dykes)
 
 TEST(FailureClasses, outer_slope)
 {
-  // W grows, as W_1 + W_2 (fig. 5.2e)
+  // W grows, as W_1 + W_2 (fig. 5.2e); slides by displacement are not known
   Record record = failed_dyke({{0, 11, 5}, {2, 11, 5}, {3, 13, 5}, {9, 13, 5}});
-  record.first_outward = {8., -1., -0.8};
-  record.outward       = {10., -2., -1.};
+  record.inner_slide.time = record.outer_slide.time = NAN;
+  record.first_outward                              = {8., -1., -0.8};
+  record.outward                                    = {10., -2., -1.};
   EXPECT_EQ(class_of(record), FailureClass::outer);
   // a retrogressive failure in the opposite direction does not change it
   record.inward = {40., 4., -1.};
@@ -64,6 +66,53 @@ TEST(FailureClasses, outer_slope)
   EXPECT_EQ(class_of(record), FailureClass::outer);
   record.outward = {};
   EXPECT_EQ(class_of(record), FailureClass::outer);
+}
+
+
+TEST(FailureClasses, outer_is_where_an_outer_slide_was_seen)
+{
+  // The crest settles: W grows by 0.4 m, H falls by 0.15 m, no body moves.
+  Record record =
+    failed_dyke({{0, 11, 5}, {2, 11, 5}, {3, 11.4, 4.85}, {9, 11.4, 4.85}});
+  EXPECT_TRUE(record.failed());
+  EXPECT_EQ(class_of(record), FailureClass::settled);
+  EXPECT_EQ(to_string(FailureClass::settled), "settled");
+  Record old           = record;
+  old.inner_slide.time = old.outer_slide.time = NAN;
+  EXPECT_EQ(class_of(old), FailureClass::outer);
+
+  Record outer           = record;
+  outer.outer_slide.time = 2.5;
+  EXPECT_EQ(class_of(outer), FailureClass::outer);
+  Record inner           = record;
+  inner.inner_slide.time = 2.5;
+  EXPECT_EQ(class_of(inner), FailureClass::initial_only);
+  Record moved = record; // a body that was not seen by displacement
+  moved.inward = {20., 1., -0.5};
+  EXPECT_EQ(class_of(moved), FailureClass::initial_only);
+
+  Record both           = outer; // the first, or what moved more
+  both.inner_slide.time = 3.;
+  EXPECT_EQ(class_of(both), FailureClass::outer);
+  both.inner_slide.time = 2.;
+  EXPECT_EQ(class_of(both), FailureClass::initial_only);
+  both.outward = {20., -1., -0.5};
+  EXPECT_EQ(class_of(both), FailureClass::outer);
+}
+
+
+TEST(FailureClasses, water_over_a_dyke_that_stands_is_overflow)
+{
+  Record record;
+  record.initial_width = record.residual_width = 11.;
+  record.initial_height = record.residual_height = 5.;
+  record.outcome                                 = Outcome::flooding;
+  record.flooding_time                           = 7.;
+  EXPECT_EQ(class_of(record), FailureClass::overflow);
+  record.inner_slide.time = 8.; // later
+  EXPECT_EQ(class_of(record), FailureClass::overflow);
+  record.inner_slide.time = 6.;
+  EXPECT_EQ(class_of(record), FailureClass::initial_only);
 }
 
 

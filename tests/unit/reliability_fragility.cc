@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <gtest/gtest.h>
 
 namespace
@@ -209,6 +210,102 @@ TEST(Fragility, bounds_are_no_estimates)
                                   ReportTables::fragility(points),
                                   ReportTables::fragility_curve(points)})
     EXPECT_EQ(text.find("inf"), std::string::npos) << text;
+}
+
+
+TEST(Fragility, bounds_hold_whatever_the_undecided_would_have_done)
+{
+  // 3 of 15 flooded and 15 still moving at 4 m, nothing undecided at 3 m, all
+  // undecided at 4.5 m
+  CampaignInfo info;
+  info.swept_parameter = "Water/Level";
+  info.scenarios.resize(3);
+  std::vector<std::vector<Record>> records(3);
+  for (unsigned int s = 0; s < 3; ++s)
+    {
+      info.scenarios[s].water_level = s == 2 ? 4.5 : 3. + s;
+      info.scenarios[s].value       = s == 2 ? "4.5" : s == 1 ? "4" : "3";
+      info.scenarios[s].crest_level = 5.;
+      records[s].resize(30);
+      for (unsigned int i = 0; i < 30; ++i)
+        {
+          Record &record = records[s][i];
+          if (s == 2 || (s == 1 && i >= 15))
+            record.outcome = Outcome::still_moving;
+          else if (s == 1 && i < 3)
+            {
+              record.outcome      = Outcome::flooding;
+              record.initial_time = record.flooding_time = 3.;
+            }
+        }
+    }
+  const auto points = fragility_points(info, records);
+  ASSERT_EQ(points.size(), 3U);
+  EXPECT_EQ(points[1].flooding.n, 15U);
+  EXPECT_EQ(points[1].n_lost, 15U);
+
+  const BoundedCurve curve = flooding_curve(points);
+  EXPECT_EQ(curve.at(points[1]).estimate, 0.2);
+  EXPECT_NEAR(curve.at(points[1]).high, proportion(18, 30).high, 1e-15);
+  EXPECT_NEAR(curve.at(points[1]).low, proportion(3, 30).low, 1e-15);
+  EXPECT_NEAR(curve.at(points[0]).high, proportion(0, 30).high, 1e-15);
+  EXPECT_TRUE(std::isnan(curve.at(points[2]).estimate));
+  EXPECT_EQ(curve.at(points[2]).high, 1.);
+  EXPECT_EQ(curve.at(points[2]).low, curve.at(points[1]).low);
+  // It spoils no bound of a level that is known, nor does one below.
+  std::vector<FragilityPoint> lowest = {points[2], points[1]};
+  lowest[0].water_level              = 3.;
+  EXPECT_EQ(flooding_curve(lowest).at(lowest[1]).high,
+            curve.at(points[1]).high);
+  EXPECT_EQ(flooding_curve(lowest).at(lowest[0]).high,
+            curve.at(points[1]).high);
+
+  const std::string upper = ReportTables::fragility_export_upper(points);
+  char              line[60];
+  std::snprintf(line,
+                sizeof line,
+                "\n4,%.12g\n4.5,1\n",
+                proportion(18, 30).high);
+  EXPECT_NE(upper.find(line), std::string::npos) << upper;
+  EXPECT_EQ(ReportTables::fragility_export(points),
+            "hydraulicload,failure_probability\n4,0.2\n");
+
+  // always about 4 m: the budget is met by those that are decided alone, and
+  // by all of them it cannot be told
+  RiskParameters parameters;
+  parameters.allowed_probability = 1.;
+  parameters.share               = 0.55;
+  parameters.consequence         = 1e6;
+  std::vector<std::string> notes;
+  const LevelDistribution  about_4 = LevelDistribution::gumbel(4., 1e-4);
+  const auto now = yearly("Water/Level", points, about_4, parameters, notes);
+  EXPECT_NEAR(now->flooding.estimate, 0.2, 1e-3);
+  EXPECT_NEAR(now->flooding.high, proportion(18, 30).high, 1e-3);
+  EXPECT_EQ(now->risk.macro_instability->verdict, Verdict::undecided);
+  EXPECT_NEAR(now->risk.risk->high, 1e6 * now->flooding.high, 1e-3);
+  EXPECT_EQ(now->undecided, "45 of 90 undecided");
+  std::vector<FragilityPoint> decided = points;
+  decided.pop_back();
+  for (FragilityPoint &p : decided)
+    p.flooding_bounds.reset();
+  EXPECT_EQ(yearly("Water/Level", decided, about_4, parameters, notes)
+              ->risk.macro_instability->verdict,
+            Verdict::met);
+
+  const auto said = undecided_notes(info, records);
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_EQ(said[0].find("45 of 90 undecided (Water/Level = 4: 15 of 30 "
+                         "undecided; 4.5: 30 of 30 undecided)."),
+            0U)
+    << said[0];
+  records.resize(1);
+  info.scenarios.resize(1);
+  EXPECT_TRUE(undecided_notes(info, records).empty());
+
+  // nothing decided anywhere
+  const BoundedCurve none = flooding_curve({points[2]});
+  EXPECT_TRUE(std::isnan(yearly_probability(none, about_4).estimate));
+  EXPECT_EQ(yearly_probability(none, about_4).high, 1.);
 }
 
 

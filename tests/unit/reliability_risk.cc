@@ -33,6 +33,13 @@ TEST(Risk, budgets_and_verdicts)
   EXPECT_NEAR(risk.risk->estimate, 1e6, 1e-6);
   EXPECT_NEAR(risk.risk->low, 5e5, 1e-6);
   EXPECT_NEAR(risk.risk->high, 2e6, 1e-6);
+  EXPECT_EQ(risk.risk->kind, EstimateKind::estimate);
+  // a euro for certain is a bound as much as a probability of 1 is
+  parameters.consequence = 1.;
+  EXPECT_EQ(assess_risk({1., 0.9, 1.}, parameters).risk->kind,
+            EstimateKind::lower_bound);
+  EXPECT_EQ(assess_risk({0., 0., 0.1}, parameters).risk->kind,
+            EstimateKind::upper_bound);
 
   EXPECT_EQ(compare({1e-3, 5e-4, 2e-3}, 1.5e-3), Verdict::undecided);
   EXPECT_EQ(compare({1e-3, 5e-4, 2e-3}, 6e-4), Verdict::undecided);

@@ -54,7 +54,8 @@ namespace
 
 
   std::string
-  complaint(const std::vector<std::string> &settings)
+  complaint(const std::vector<std::string> &settings,
+            const bool                      with_advice = false)
   {
     try
       {
@@ -63,7 +64,8 @@ namespace
       }
     catch (const UserError &error)
       {
-        return error.where + ": " + error.problem;
+        return error.where + ": " + error.problem +
+               (with_advice ? ": " + error.allowed : "");
       }
     return "";
   }
@@ -126,7 +128,21 @@ namespace
     EXPECT_TRUE(says({"Water/Rise=0.5"},
                      "Water/Rise: puts the water at 5.25 m at the start"));
     EXPECT_TRUE(says({"Water/Rise=0: 0.5, 2: 0"}, "Water/Rise"));
+    // The level at t = 0 counts, however it is split.
+    for (const char *const rise : {"1", "1.1", "1+t", "0: 1, 2: 0"})
+      EXPECT_TRUE(says({"Water/Level=4", std::string("Water/Rise=") + rise},
+                       "at the start, not below the crest at 5 m"))
+        << rise;
+    EXPECT_EQ(complaint({"Water/Level=4", "Water/Rise=0.75"}), "");
     EXPECT_EQ(complaint({"Water/Rise=0: 0, 2: 0.5"}), "");
+    // Of the time only.
+    for (const char *const wrong : {"0.1*x", "0.1*q", "2 +"})
+      {
+        const std::string text =
+          complaint({std::string("Water/Rise=") + wrong}, true);
+        EXPECT_NE(text.find("Water/Rise: "), std::string::npos) << text;
+        EXPECT_EQ(text.find("x, y"), std::string::npos) << text;
+      }
     // No level is no 0.
     EXPECT_TRUE(says({"Water/Level=none"},
                      "Water/Level: is none, but water stands on the left"));

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/reliability/estimates.h>
+#include <waker/reliability/event_tree.h>
+#include <waker/reliability/histograms.h>
 #include <waker/reliability/realisation_runner.h>
 
 #include "reliability_random_dyke.h"
@@ -42,8 +44,26 @@ namespace
         EXPECT_EQ(record.outcome, Outcome::flooding);
         EXPECT_GT(record.flooding_time, 3.1);
         EXPECT_LT(record.flooding_time, 3.5);
+        // Nothing but the water has moved.
+        EXPECT_FALSE(record.failed());
+        EXPECT_EQ(record.initial_time_thesis, -1.);
+        EXPECT_EQ(classify(record, find_slides(record, SlideParameters()), 0.),
+                  FailureClass::overflow);
       }
-    EXPECT_EQ(estimate(records).by_geometry.flooding.estimate, 1.);
+    const ScenarioEstimate e = estimate(records);
+    EXPECT_EQ(e.by_geometry.flooding.estimate, 1.);
+    EXPECT_EQ(e.by_any.initial.estimate, 0.);
+    EXPECT_EQ(e.by_any.flooding_given.n, 0u);
+    EXPECT_EQ(estimate_against_time(records).back().estimate.flooding.count,
+              3u);
+    EXPECT_EQ(estimate_convergence(records).back().estimate.flooding.count, 3u);
+    const std::vector<std::vector<Slide>> none(records.size());
+    EXPECT_EQ(build_event_tree(slide_sequences(records, none), 4).probability,
+              1.);
+    unsigned int n = 0;
+    for (const ClassCount &c : count_classes(records, none, 0.))
+      n += c.failure_class == FailureClass::overflow ? c.share.count : 0;
+    EXPECT_EQ(n, 3u);
   }
 
 

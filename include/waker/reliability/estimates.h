@@ -6,6 +6,7 @@
 #include <waker/reliability/record.h>
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace Waker
@@ -14,8 +15,8 @@ namespace Waker
    * The three probabilities of chapter 5 of Remmerswaal (2023).
    *
    * The interval of P(F|S1) is that of a count of floods among the initial
-   * failures that there happen to be: right whatever P(S1) is, as every flood
-   * is an initial failure.
+   * failures that there happen to be: right whatever P(S1) is. A flood is an
+   * initial failure, unless the water rose over a dyke that had not failed.
    */
   struct Estimate
   {
@@ -54,6 +55,13 @@ namespace Waker
       return n_still_moving + n_loads_change + n_stopped_by_box;
     }
 
+    /// All that are not in n.
+    std::uint64_t
+    n_lost() const
+    {
+      return n_numerical + n_undecided();
+    }
+
     /// Any reading of S1 (see FailureEvents), which is what is meant where
     /// none is named ...
     Estimate by_any;
@@ -68,7 +76,31 @@ namespace Waker
     Proportion outer_slides;
     Estimate   if_all_failed;
     Estimate   if_none_failed;
+
+    /// P(S1) and P(F) of those that count, between bounds that hold whatever
+    /// the others would have done: what risks and verdicts are made of.
+    BoundedProbability
+    initial() const
+    {
+      return {by_any.initial.estimate,
+              if_none_failed.initial.low,
+              if_all_failed.initial.high};
+    }
+    BoundedProbability
+    flooding() const
+    {
+      return {by_any.flooding.estimate,
+              if_none_failed.flooding.low,
+              if_all_failed.flooding.high};
+    }
   };
+
+  /// "15 of 30 undecided", numerical failures among them, "2 initial failures
+  /// not final", both or "".
+  std::string
+  undecided_text(const std::uint64_t n_lost,
+                 const std::uint64_t n_not_final,
+                 const std::uint64_t n_all);
 
   /// One row of a table against time or number of realisations.
   struct EstimateRow

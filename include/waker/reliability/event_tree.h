@@ -19,7 +19,8 @@ namespace Waker
   };
 
   /// Of the realisations that count (no numerical failures). One that failed
-  /// or flooded without a slide gets one.
+  /// or flooded without a slide gets one: overflow is a branch of its own of
+  /// one slide, so that the tree's P(F) is the count of all floods.
   std::vector<SlideSequence>
   slide_sequences(const std::vector<Record>             &records,
                   const std::vector<std::vector<Slide>> &slides);

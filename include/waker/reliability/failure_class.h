@@ -9,18 +9,20 @@
 namespace Waker
 {
   /// How a dyke failed (fig. 5.2 of Remmerswaal 2023); whether it flooded is
-  /// in the record.
+  /// in the record. The numbers are those of the store: new ones come last.
   enum class FailureClass
   {
     none,
     initial_only,
     retrogressive,
     horizontal,
-    outer
+    outer,
+    settled,
+    overflow
   };
 
   /// Number of classes.
-  constexpr unsigned int n_failure_classes = 5;
+  constexpr unsigned int n_failure_classes = 7;
 
   /// "none", "initial only", ...
   std::string
@@ -48,18 +50,23 @@ namespace Waker
   /**
    * The class of a realisation; the first that fits:
    *
-   * 1. none: no initial failure.
-   * 2. outer (fig. 5.2e): one second after initial failure more soil has moved
-   *    outwards than inwards (by area). If none has moved by 0.5 m yet, the
-   *    end decides; if none has then either, a width that has grown means
-   *    outwards.
-   * 3. horizontal (fig. 5.2d, 5.5f): the body is translated inwards. By the
+   * 1. overflow: flooded by water that rose over it before any initial failure;
+   *    none: no initial failure.
+   * 2. outer (fig. 5.2e): the outer slope has slid, by displacement, and the
+   *    inner one has not; if both have, more soil has moved outwards than
+   *    inwards (by area) one second after initial failure, or at the end if
+   *    none has moved by 0.5 m yet; else it slid first. Records of version 0.1
+   *    do not know the slides by displacement: there areas decide, and if no
+   *    soil has moved at all, a width that has grown means outwards.
+   * 3. settled: no slope has slid and no soil has moved by 0.5 m; only the
+   *    detected width or height says that it failed.
+   * 4. horizontal (fig. 5.2d, 5.5f): the body is translated inwards. By the
    *    end the moved soil has an area of W_i H_i at least (H from the base
    *    of the soil profile), has travelled much further than it fell, and the
    * last slide has left the width as it was while the height was lost
    *    (FailureClassLimits). It may have begun with a rotational slide.
-   * 4. retrogressive (fig. 5.2c): two slides or more.
-   * 5. initial only (fig. 5.2a, b): one slide. With flooding this is the deep
+   * 5. retrogressive (fig. 5.2c): two slides or more.
+   * 6. initial only (fig. 5.2a, b): one slide. With flooding this is the deep
    *    slide that floods directly.
    *
    * A slide that only its displacement shows is an initial one, or an outer one

@@ -7,6 +7,7 @@
 #include <waker/reliability/record.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,11 +18,21 @@ namespace Waker
   {
     double     water_level; // h, m
     double     freeboard;   // crest of the drawn profile - h, m
-    Proportion initial;     // P(S1|h)
+    Proportion initial;     // P(S1|h), of the realisations that count
     Proportion flooding;    // P(F|h)
+
+    /// Realisations that do not count, and initial failures that may yet flood
+    /// (see ScenarioEstimate) ...
+    std::uint64_t n_lost      = 0;
+    std::uint64_t n_not_final = 0;
+    /// ... and bounds that hold whatever these would have done. Without them
+    /// the intervals above do.
+    std::optional<Interval> initial_bounds  = {};
+    std::optional<Interval> flooding_bounds = {};
   };
 
-  /// By rising water level; scenarios without a realisation are left out.
+  /// By rising water level; scenarios without a realisation are left out, those
+  /// in which none counts are not.
   /// Empty if two scenarios have the same level: then something else is swept.
   std::vector<FragilityPoint>
   fragility_points(const CampaignInfo                     &info,
@@ -60,14 +71,6 @@ namespace Waker
     std::vector<double> slopes;
   };
 
-  /// A probability with bounds.
-  struct BoundedProbability
-  {
-    double estimate;
-    double low;
-    double high;
-  };
-
   /// Reliability index beta of a probability and of its bounds, falling where
   /// the probability rises; NaN where it is not finite.
   struct BoundedIndex
@@ -80,7 +83,9 @@ namespace Waker
   BoundedIndex
   reliability_index(const BoundedProbability &probability);
 
-  /// Estimate and bounds. Bounds are those of all levels at once.
+  /// Estimate and bounds. Bounds are those of all levels at once, whatever the
+  /// realisations that do not count would have done. The estimate leaves out
+  /// levels at which none counts; it is NaN if there are no others.
   struct BoundedCurve
   {
     FragilityCurve estimate;
@@ -91,6 +96,10 @@ namespace Waker
     /// them cross the estimate.
     BoundedProbability
     at(const double level) const;
+
+    /// The same, without an estimate where none of the realisations counts.
+    BoundedProbability
+    at(const FragilityPoint &point) const;
   };
 
   /// P(S1|h): as estimated, since it may fall and rise again with h (the outer

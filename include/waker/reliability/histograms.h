@@ -77,7 +77,7 @@ namespace Waker
 
   /// @param base_level as classify()
   /// @return one entry for every class and both values of flooded, but none for
-  /// flooding without failure.
+  /// flooding without failure, nor for overflow without flooding.
   std::vector<ClassCount>
   count_classes(const std::vector<Record>             &records,
                 const std::vector<std::vector<Slide>> &slides,

@@ -27,6 +27,20 @@ namespace Waker
     double        high;
   };
 
+  /// A probability with bounds.
+  struct BoundedProbability
+  {
+    double estimate;
+    double low;
+    double high;
+  };
+
+  inline BoundedProbability
+  bounded(const Proportion &p)
+  {
+    return {p.estimate, p.low, p.high};
+  }
+
   /// What an estimate of a probability says by itself: with no event counted
   /// only the upper end of its interval says anything, with nothing but events
   /// only the lower one.

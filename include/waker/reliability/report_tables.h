@@ -26,7 +26,7 @@ namespace Waker
     EventTree                       tree;
   };
 
-  /// P(F) of a scenario, given its water level.
+  /// P(F) of a scenario, given its water level; ScenarioEstimate::flooding().
   BoundedProbability
   flooding_of(const AnalysedScenario &scenario);
 

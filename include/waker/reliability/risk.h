@@ -32,6 +32,16 @@ namespace Waker
     Verdict verdict;
   };
 
+  /// Euro (per year if the probability is); what it says is what the
+  /// probability does.
+  struct Amount
+  {
+    double       estimate;
+    double       low;
+    double       high;
+    EstimateKind kind;
+  };
+
   /// What follows from a probability of flooding by macro-instability
   /// (section 4.2 of Remmerswaal 2023). Empty: P_s or C(F) is not known.
   struct Risk
@@ -41,8 +51,8 @@ namespace Waker
     std::optional<Budget> all_mechanisms;
     /// P(F_i) <= w_i P_s (4.9).
     std::optional<Budget> macro_instability;
-    /// P(F) C(F) (4.1), euro (per year if the probability is).
-    std::optional<BoundedProbability> risk;
+    /// P(F) C(F) (4.1).
+    std::optional<Amount> risk;
   };
 
   Risk

@@ -26,6 +26,8 @@ namespace Waker
     /// is 0.
     double share_from_above;
     Risk   risk;
+    /// Of all levels, in words; see undecided_text().
+    std::string undecided;
   };
 
   /**
@@ -40,6 +42,12 @@ namespace Waker
          const std::optional<LevelDistribution> &distribution,
          const RiskParameters                   &parameters,
          std::vector<std::string>               &notes);
+
+  /// In words which realisations do not count, at which levels or values, and
+  /// what that does to bounds; nothing if all count.
+  std::vector<std::string>
+  undecided_notes(const CampaignInfo                     &info,
+                  const std::vector<std::vector<Record>> &records_by_scenario);
 
   /// In words where the counted probabilities fall with rising water, and what
   /// is made of that; where no estimate is finite.

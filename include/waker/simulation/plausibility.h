@@ -19,7 +19,8 @@ namespace Waker
   strange_parameters(const Parameters &parameters);
 
   /// These, and what only shows in the case: waves or soil that cross many
-  /// cells in a step, cells of two stiffnesses.
+  /// cells in a step, cells of two stiffnesses, loads of more than 1000 kPa or
+  /// of several times the weight of all soil.
   template <int dim>
   std::vector<std::string>
   strange_things(const Case<dim> &the_case);
