@@ -4,6 +4,7 @@
 #include <waker/base/errors.h>
 #include <waker/base/numbers.h>
 #include <waker/base/text.h>
+#include <waker/base/time_function.h>
 #include <waker/boundary/traction.h>
 #include <waker/boundary/traction_parameters.h>
 
@@ -204,7 +205,9 @@ namespace Waker
       throw UserError(path + "Follows",
                       "is space, but fixed points carry their loads with them",
                       "soil or automatic; or Method = updated points");
-    // Can its values be read?
+    // Can its values be read, also those of another kind?
+    if (!tidy(level).empty())
+      TimeFunction(level, path + "Level");
     if (dim == 2)
       Traction<2>(*this, 0.);
     else

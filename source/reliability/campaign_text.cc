@@ -109,7 +109,8 @@ namespace Waker
   {
     // Journals may say anything.
     const double mean = busy / n_done;
-    if (n_done == 0 || !(mean > 0.) || !std::isfinite(3600. / mean))
+    if (n_done == 0 || !(mean > 0.) || !std::isfinite(mean) ||
+        !std::isfinite(3600. / mean))
       return "";
     char text[80];
     std::snprintf(text,
