@@ -260,7 +260,7 @@ TEST(Particles, layers_have_material_and_velocity)
 {
   const auto      grid         = dyke_grid();
   LayerParameters upper        = layer("0,1; 10,1.7; 10,3; 0,3", "sand");
-  upper.velocity               = "1, -2";
+  upper.velocity               = "1; -2";
   const LayerParameters lower  = layer("10,0; 10,1.7; 0,1; 0,0");
   const auto            points = make(grid, {upper, lower});
   double                clay = 0., sand = 0.;
