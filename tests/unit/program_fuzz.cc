@@ -127,8 +127,11 @@ end
   const std::set<std::string> never_good =
     {"0,25", "1e400", "nan", "inf", "0x10", "rand()"};
 
-  /// All parameters that are these.
-  const std::set<std::string> texts = {"Output/Directory"};
+  /// All parameters that are these, and a list of whole numbers, in which 0,25
+  /// are two.
+  const std::set<std::string> texts = {"Output/Directory",
+                                       "Risk/Level table",
+                                       "Snapshots/Realisations"};
 
 
   enum class Answer
