@@ -48,7 +48,10 @@ def short(x):
 
 
 def lines_of(scenario):
-    floats = [scenario[name] for name in COLUMNS[3:-1]]
+    # Stores of version 0.1 have no slides by displacement.
+    floats = [scenario.event_time(name.removesuffix("_time"))
+              if name.endswith("_slide_time") else scenario[name]
+              for name in COLUMNS[3:-1]]
     for number, outcome, kind, *values in zip(
             scenario.realisation, scenario["outcome"],
             scenario["failure_class"], *floats):
