@@ -271,8 +271,8 @@ def check_export(checks, source, folder):
         lines = file.read().splitlines()
     checks.equal("export: version and parameters in the head",
                  "0123456789abcdef" in lines[0], True)
-    checks.equal("export: a flood", "0,9,2,2,5,0,4.74,3" in lines, True)
-    checks.equal("export: a stable one", "0,0,0,,,11,5,0" in lines, True)
+    checks.equal("export: a flood", "0,9,2,2,,,5,0,4.74,3" in lines, True)
+    checks.equal("export: a stable one", "0,0,0,,,,,11,5,0" in lines, True)
     check_export_again(checks, source, folder, path)
     many = os.path.join(folder, "many")
     write_store(many, [
