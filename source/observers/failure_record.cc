@@ -63,6 +63,7 @@ namespace Waker
         started        = true;
         initial_width  = geometry.width;
         initial_height = geometry.height;
+        initial_level  = level;
         return;
       }
 
@@ -74,12 +75,14 @@ namespace Waker
     if (floods && flooding_time < 0.)
       flooding_time = time;
 
+    // Water that rises over a dyke which stands is no failure of the dyke.
+    const bool   sinks  = floods && !(level > initial_level);
     const double change = geometry.width - initial_width;
-    if (initial_time_thesis < 0. && (change < -limits.width_change || floods))
+    if (initial_time_thesis < 0. && (change < -limits.width_change || sinks))
       initial_time_thesis = time;
     if (initial_time < 0. &&
         (std::abs(change) > limits.width_change ||
-         geometry.height < initial_height - limits.height_loss || floods))
+         geometry.height < initial_height - limits.height_loss || sinks))
       initial_time = time;
   }
 

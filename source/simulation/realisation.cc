@@ -4,35 +4,9 @@
 #include <waker/simulation/realisation.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace Waker
 {
-  namespace
-  {
-    /// Water that rises over a dyke in which nothing else is seen floods it,
-    /// but is no initial failure.
-    void
-    forget_overflow(FailureRecord              &failure,
-                    const double                time,
-                    const bool                  has_risen,
-                    const InitialFailureLimits &limits)
-    {
-      if (!has_risen || !failure.flooded())
-        return;
-      const double change = failure.geometry.width - failure.initial_width;
-      if (failure.initial_time == time &&
-          !(std::abs(change) > limits.width_change) &&
-          !(failure.geometry.height <
-            failure.initial_height - limits.height_loss))
-        failure.initial_time = -1.;
-      if (failure.initial_time_thesis == time &&
-          !(change < -limits.width_change))
-        failure.initial_time_thesis = -1.;
-    }
-  } // namespace
-
-
   template <int dim>
   Realisation<dim>::Realisation(const Case<dim> &the_case, State<dim> &state)
     : the_case(&the_case)
@@ -72,10 +46,6 @@ namespace Waker
                           scene.water_level(state->time),
                           parameters.water.side != "none",
                           parameters.initial_failure.limits);
-    forget_overflow(state->failure,
-                    state->time,
-                    scene.water_level(state->time) > scene.water_level(0.),
-                    parameters.initial_failure.limits);
     state->failure.watch_slopes(state->points,
                                 the_case->grid,
                                 parameters.water.inner_direction(),

@@ -109,6 +109,26 @@ TEST(Observers, flooding_is_initial_failure)
 }
 
 
+TEST(Observers, water_that_rises_over_a_dyke_is_no_initial_failure)
+{
+  FailureRecord stands;
+  stands.update(dyke(11.25, 6.), 0., level, true, limits);
+  stands.update(dyke(11.25, 6.), 1., 6.5, true, limits);
+  stands.update(dyke(11.25, 6.), 2., 6.5, true, limits);
+  EXPECT_EQ(stands.flooding_time, 1.);
+  EXPECT_EQ(stands.initial_time, -1.);
+  EXPECT_EQ(stands.initial_time_thesis, -1.);
+
+  // What it does beside that, counts.
+  FailureRecord slides;
+  slides.update(dyke(11.25, 6.), 0., level, true, limits);
+  slides.update(dyke(10.7, 6.), 1., 6.5, true, limits);
+  EXPECT_EQ(slides.flooding_time, 1.);
+  EXPECT_EQ(slides.initial_time, 1.);
+  EXPECT_EQ(slides.initial_time_thesis, 1.);
+}
+
+
 TEST(Observers, without_water_nothing_floods)
 {
   const FailureRecord low = after(11.25, 4., false);

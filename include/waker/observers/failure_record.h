@@ -45,7 +45,8 @@ namespace Waker
    * thesis's, W below its initial value; by geometry, which also sees slides
    * outwards (W grows) and slides of the whole dyke (H sinks); and by
    * displacement, which sees those that leave the width at the water level and
-   * the highest point where they are. Flooding implies the first two.
+   * the highest point where they are. Flooding implies the first two, unless it
+   * is the water that has risen.
    *
    * The inner slope falls away from the water; without water it is the one
    * towards positive x. Times are -1 as long as the event has not come.
@@ -90,6 +91,7 @@ namespace Waker
     bool         started        = false;
     double       initial_width  = 0.; // W_i, m; NaN: not measured
     double       initial_height = 0.; // H_i, m, on the vertical axis
+    double       initial_level  = 0.; // of the water, m
     DykeGeometry geometry;            // the last one measured
 
     /**
@@ -121,9 +123,9 @@ namespace Waker
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &started &initial_width &initial_height &initial_time
-        &initial_time_thesis &flooding_time &inner_slide &outer_slide &geometry
-          .height &geometry.width;
+      archive &started &initial_width &initial_height &initial_level
+        &initial_time &initial_time_thesis &flooding_time &inner_slide
+          &outer_slide &geometry.height &geometry.width;
     }
   };
 } // namespace Waker
