@@ -45,17 +45,6 @@ namespace Waker
           gradient[i][j] = block.H[3 * i + j][l];
       return {gradient, block.objective_rate};
     }
-
-
-    SymmetricTensor<2, 3>
-    stress_of(const double (*stress)[Material::block_size],
-              const unsigned int l)
-    {
-      SymmetricTensor<2, 3> s;
-      for (unsigned int a = 0; a < 6; ++a)
-        s.access_raw_entry(a) = stress[a][l];
-      return s;
-    }
   } // namespace
 
 
@@ -67,7 +56,7 @@ namespace Waker
       {
         const Kinematics<3>         motion = motion_of(*this, l);
         const SymmetricTensor<2, 3> turned =
-          motion.turn(stress_of(block.stress, l));
+          motion.turn(block_stress(block.stress, l));
         const SymmetricTensor<2, 3> strain = motion.strain();
         for (unsigned int a = 0; a < 6; ++a)
           {
@@ -174,7 +163,7 @@ namespace Waker
         for (unsigned int a = 0; a < 36; ++a)
           tangent.access_raw_entry(a) = D[a][l];
         motion_of(*this, l).stress_derivative(
-          tangent, stress_of(turned, l), shear_modulus, scale[l], A_point);
+          tangent, block_stress(turned, l), shear_modulus, scale[l], A_point);
         for (unsigned int a = 0; a < 6; ++a)
           for (unsigned int k = 0; k < 9; ++k)
             A[a][k][l] = A_point[a][k];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/mechanics/block_motion.h>
+#include <waker/mechanics/gradient_layout.h>
 #include <waker/mechanics/logarithmic_motion.h>
 #include <waker/mechanics/point_tangents.h>
 #include <waker/mechanics/step_motion.h>
@@ -11,17 +12,6 @@ namespace Waker
   namespace
   {
     constexpr unsigned int N = Material::block_size;
-
-
-    /// Stress of the point l of a block.
-    SymmetricTensor<2, 3>
-    stress_of(const Material::Block &block, const unsigned int l)
-    {
-      SymmetricTensor<2, 3> stress;
-      for (unsigned int a = 0; a < 6; ++a)
-        stress.access_raw_entry(a) = block.stress[a][l];
-      return stress;
-    }
 
 
     /// Volume of point p without stress (m^dim).
@@ -47,60 +37,6 @@ namespace Waker
                             material.bulk_modulus(),
                             material.shear_modulus());
     }
-
-
-    /// The gradient of u, and V0 P: neither is symmetric.
-    template <int dim>
-    struct FullLayout
-    {
-      static constexpr unsigned int n_in  = dim * dim;
-      static constexpr unsigned int n_out = dim * dim;
-
-      explicit FullLayout(const Weights<dim> &weights)
-        : stencil(weights.background_grid())
-      {}
-
-      void
-      gather(const PointWeights<dim> &w,
-             const double            *u,
-             const unsigned int       l,
-             double (&in)[n_in][N]) const
-      {
-        const Tensor<2, dim> gradient = stencil.gradient(w, u);
-        for (unsigned int c = 0; c < dim; ++c)
-          for (unsigned int d = 0; d < dim; ++d)
-            in[dim * c + d][l] = gradient[c][d];
-      }
-
-      void
-      scatter(const PointWeights<dim> &w,
-              const double (&out)[n_out][N],
-              const unsigned int l,
-              double            *f) const
-      {
-        Tensor<2, dim> P;
-        for (unsigned int c = 0; c < dim; ++c)
-          for (unsigned int d = 0; d < dim; ++d)
-            P[c][d] = out[dim * c + d][l];
-        stencil.scatter_gradient(w, P, f);
-      }
-
-      void
-      add_diagonal(const PointWeights<dim> &w,
-                   const double (&A)[n_out][n_in][N],
-                   const unsigned int l,
-                   double            *f) const
-      {
-        Tensor<2, dim> C[dim];
-        for (unsigned int c = 0; c < dim; ++c)
-          for (unsigned int d = 0; d < dim; ++d)
-            for (unsigned int e = 0; e < dim; ++e)
-              C[c][d][e] = A[dim * c + d][dim * c + e][l];
-        stencil.scatter_quadratic(w, C, f);
-      }
-
-      const Stencil<dim> stencil;
-    };
   } // namespace
 
 
@@ -164,8 +100,9 @@ namespace Waker
     for (unsigned int l = 0; l < range.size(); ++l)
       {
         const std::size_t    p = range.begin + l;
-        const Tensor<2, dim> P = natural_volume(material, points, p) *
-                                 steps[p].first_piola(stress_of(block, l));
+        const Tensor<2, dim> P =
+          natural_volume(material, points, p) *
+          steps[p].first_piola(block_stress(block.stress, l));
         stencil.scatter_gradient(weights[p], P, force);
       }
   }
@@ -196,7 +133,7 @@ namespace Waker
         const double                V0   = natural_volume(material, points, p);
         const Tensor<2, dim>       &H    = gradients[p];
         const LogarithmicStep<dim> &step = steps[p];
-        const SymmetricTensor<2, 3> tau  = stress_of(block, l);
+        const SymmetricTensor<2, 3> tau  = block_stress(block.stress, l);
         const Tensor<2, dim>        P    = step.first_piola(tau);
         for (unsigned int i = 0; i < dim; ++i)
           for (unsigned int j = 0; j < dim; ++j)
@@ -244,7 +181,7 @@ namespace Waker
           for (unsigned int j = 0; j < n; ++j)
             point_D[i][j] = D[n * i + j][l];
         steps[p].derivative(point_D,
-                            stress_of(*end, l),
+                            block_stress(end->stress, l),
                             natural_volume(material, points, p),
                             point_A);
         for (unsigned int i = 0; i < dim * dim; ++i)
@@ -258,7 +195,8 @@ namespace Waker
   std::unique_ptr<PointTangents<dim>>
   LogarithmicMotion<dim>::make_tangents() const
   {
-    return std::make_unique<LayoutTangents<dim, FullLayout<dim>>>();
+    return std::make_unique<
+      LayoutTangents<dim, GradientLayout<dim, dim * dim>>>();
   }
 
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/mapping/centre_stencil.h>
+#include <waker/mechanics/gradient_layout.h>
 #include <waker/mechanics/point_tangents.h>
 #include <waker/mechanics/step_motion.h>
 
@@ -44,12 +45,6 @@ namespace Waker
         : stencil(weights.background_grid())
       {}
 
-      static constexpr unsigned int
-      row(const unsigned int c, const unsigned int d)
-      {
-        return c == d ? c : (dim == 2 ? 2 : c + d + 2);
-      }
-
       void
       gather(const PointWeights<dim> &w,
              const double            *u,
@@ -78,7 +73,7 @@ namespace Waker
         Tensor<2, dim> P;
         for (unsigned int c = 0; c < dim; ++c)
           for (unsigned int d = 0; d < dim; ++d)
-            P[c][d] = out[row(c, d)][l] - (c == d ? p : 0.);
+            P[c][d] = out[stress_row<dim>(c, d)][l] - (c == d ? p : 0.);
         stencil.scatter(w, {w, stencil.cell_size()}, P, p, f);
       }
 
@@ -95,9 +90,9 @@ namespace Waker
           for (unsigned int e = 0; e < dim; ++e)
             {
               for (unsigned int k = 0; k < dim; ++k)
-                M[c][e][k] = A[row(c, e)][dim * c + k][l];
-              r[c][e] =
-                A[row(c, e)][dim * dim][l] / 3. + A[n_stresses][dim * c + e][l];
+                M[c][e][k] = A[stress_row<dim>(c, e)][dim * c + k][l];
+              r[c][e] = A[stress_row<dim>(c, e)][dim * dim][l] / 3. +
+                        A[n_stresses][dim * c + e][l];
             }
         const double pressure = A[n_stresses][dim * dim][l] / 3.;
         stencil.for_each_node(w,
@@ -182,11 +177,11 @@ namespace Waker
     const CentreStencil<dim> stencil(weights.background_grid());
     for (unsigned int l = 0; l < range.size(); ++l)
       {
-        const std::size_t     p = range.begin + l;
-        SymmetricTensor<2, 3> stress;
-        for (unsigned int a = 0; a < 6; ++a)
-          stress.access_raw_entry(a) = points.volume[p] * block.stress[a][l];
-        scatter_stress(stencil, weights[p], stress, force);
+        const std::size_t p = range.begin + l;
+        scatter_stress(stencil,
+                       weights[p],
+                       points.volume[p] * block_stress(block.stress, l),
+                       force);
       }
   }
 

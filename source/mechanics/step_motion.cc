@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/mechanics/gradient_layout.h>
 #include <waker/mechanics/point_tangents.h>
 #include <waker/mechanics/step_motion.h>
 
@@ -9,75 +10,6 @@ namespace Waker
   namespace
   {
     constexpr unsigned int N = Material::block_size;
-
-
-    /// Entry (i, j) of a symmetric 3x3 tensor.
-    constexpr unsigned int
-    entry(const unsigned int i, const unsigned int j)
-    {
-      return i == j ? i : i + j + 2;
-    }
-
-
-    /// The gradient of u, and V stress, of which each component is there once.
-    template <int dim>
-    struct SymmetricLayout
-    {
-      static constexpr unsigned int n_in  = dim * dim;
-      static constexpr unsigned int n_out = dim * (dim + 1) / 2;
-
-      explicit SymmetricLayout(const Weights<dim> &weights)
-        : stencil(weights.background_grid())
-      {}
-
-      static constexpr unsigned int
-      row(const unsigned int c, const unsigned int d)
-      {
-        return c == d ? c : (dim == 2 ? 2 : c + d + 2);
-      }
-
-      void
-      gather(const PointWeights<dim> &w,
-             const double            *u,
-             const unsigned int       l,
-             double (&in)[n_in][N]) const
-      {
-        const Tensor<2, dim> gradient = stencil.gradient(w, u);
-        for (unsigned int c = 0; c < dim; ++c)
-          for (unsigned int d = 0; d < dim; ++d)
-            in[dim * c + d][l] = gradient[c][d];
-      }
-
-      void
-      scatter(const PointWeights<dim> &w,
-              const double (&out)[n_out][N],
-              const unsigned int l,
-              double            *f) const
-      {
-        Tensor<2, dim> P;
-        for (unsigned int c = 0; c < dim; ++c)
-          for (unsigned int d = 0; d < dim; ++d)
-            P[c][d] = out[row(c, d)][l];
-        stencil.scatter_gradient(w, P, f);
-      }
-
-      void
-      add_diagonal(const PointWeights<dim> &w,
-                   const double (&A)[n_out][n_in][N],
-                   const unsigned int l,
-                   double            *f) const
-      {
-        // C[c]: what A does to one component alone.
-        Tensor<2, dim> C[dim];
-        for (unsigned int c = 0; c < dim; ++c)
-          for (unsigned int d = 0; d < dim; ++d)
-            for (unsigned int e = 0; e < dim; ++e)
-              C[c][d][e] = A[row(c, d)][dim * c + e][l];
-        stencil.scatter_quadratic(w, C, f);
-      }
-
-      const Stencil<dim> stencil;
-    };
   } // namespace
 
 
@@ -146,7 +78,7 @@ namespace Waker
         Tensor<2, dim>    P;
         for (unsigned int i = 0; i < dim; ++i)
           for (unsigned int j = 0; j < dim; ++j)
-            P[i][j] = points.volume[p] * block.stress[entry(i, j)][l];
+            P[i][j] = points.volume[p] * block.stress[stress_row<3>(i, j)][l];
         stencil.scatter_gradient(weights[p], P, force);
       }
   }
@@ -189,7 +121,7 @@ namespace Waker
           for (unsigned int j = 0; j < dim; ++j)
             {
               const double       H = gradients[p][i][j];
-              const unsigned int a = entry(i, j);
+              const unsigned int a = stress_row<3>(i, j);
               start += points.stress[p].access_raw_entry(a) * H;
               end += block.stress[a][l] * H;
             }
@@ -241,7 +173,8 @@ namespace Waker
   std::unique_ptr<PointTangents<dim>>
   StepMotion<dim>::make_tangents() const
   {
-    return std::make_unique<LayoutTangents<dim, SymmetricLayout<dim>>>();
+    return std::make_unique<
+      LayoutTangents<dim, GradientLayout<dim, dim *(dim + 1) / 2>>>();
   }
 
 

@@ -6,6 +6,18 @@
 
 namespace Waker
 {
+  /// Stress of the point l of a block, by components (kPa).
+  inline SymmetricTensor<2, 3>
+  block_stress(const double (*stresses)[Material::block_size],
+               const unsigned int l)
+  {
+    SymmetricTensor<2, 3> stress;
+    for (unsigned int a = 0; a < 6; ++a)
+      stress.access_raw_entry(a) = stresses[a][l];
+    return stress;
+  }
+
+
   /**
    * Kinematics (mechanics/kinematics.h) for the points of a block, point last:
    * in 2D loops of fixed length on plain numbers, which the compiler makes a

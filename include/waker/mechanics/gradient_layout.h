@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_mechanics_gradient_layout_h
+#define waker_mechanics_gradient_layout_h
+
+#include <waker/mapping/stencil.h>
+#include <waker/materials/material.h>
+
+namespace Waker
+{
+  /// Row of the stress (c, d) among n_rows: all dim x dim, or those in dim
+  /// dimensions of a symmetric one, each there once.
+  template <int dim, unsigned int n_rows = dim *(dim + 1) / 2>
+  constexpr unsigned int
+  stress_row(const unsigned int c, const unsigned int d)
+  {
+    return n_rows == dim * dim ? dim * c + d
+           : c == d            ? c
+                               : (dim == 2 ? 2 : c + d + 2);
+  }
+
+
+  /**
+   * The layout (see LayoutTangents) of motions that are a gradient of u: A
+   * gives n_rows stresses times a volume.
+   */
+  template <int dim, unsigned int n_rows>
+  struct GradientLayout
+  {
+    static constexpr unsigned int N     = Material::block_size;
+    static constexpr unsigned int n_in  = dim * dim;
+    static constexpr unsigned int n_out = n_rows;
+
+    explicit GradientLayout(const Weights<dim> &weights)
+      : stencil(weights.background_grid())
+    {}
+
+    void
+    gather(const PointWeights<dim> &w,
+           const double            *u,
+           const unsigned int       l,
+           double (&in)[n_in][N]) const
+    {
+      const Tensor<2, dim> gradient = stencil.gradient(w, u);
+      for (unsigned int c = 0; c < dim; ++c)
+        for (unsigned int d = 0; d < dim; ++d)
+          in[dim * c + d][l] = gradient[c][d];
+    }
+
+    void
+    scatter(const PointWeights<dim> &w,
+            const double (&out)[n_out][N],
+            const unsigned int l,
+            double            *f) const
+    {
+      Tensor<2, dim> P;
+      for (unsigned int c = 0; c < dim; ++c)
+        for (unsigned int d = 0; d < dim; ++d)
+          P[c][d] = out[stress_row<dim, n_rows>(c, d)][l];
+      stencil.scatter_gradient(w, P, f);
+    }
+
+    void
+    add_diagonal(const PointWeights<dim> &w,
+                 const double (&A)[n_out][n_in][N],
+                 const unsigned int l,
+                 double            *f) const
+    {
+      // C[c]: what A does to one component alone.
+      Tensor<2, dim> C[dim];
+      for (unsigned int c = 0; c < dim; ++c)
+        for (unsigned int d = 0; d < dim; ++d)
+          for (unsigned int e = 0; e < dim; ++e)
+            C[c][d][e] = A[stress_row<dim, n_rows>(c, d)][dim * c + e][l];
+      stencil.scatter_quadratic(w, C, f);
+    }
+
+    const Stencil<dim> stencil;
+  };
+} // namespace Waker
+
+#endif
