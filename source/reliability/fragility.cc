@@ -186,6 +186,21 @@ namespace Waker
   }
 
 
+  std::string
+  equal_levels_note(const CampaignInfo &info)
+  {
+    const std::vector<ScenarioInfo> &all = info.scenarios;
+    if (info.swept_parameter == "Water/Level")
+      for (std::size_t s = 0; s < all.size(); ++s)
+        for (std::size_t t = s + 1; t < all.size(); ++t)
+          if (all[s].water_level == all[t].water_level)
+            return "No fragility curve: " + info.swept_parameter + " = " +
+                   all[s].value + " and " + all[t].value +
+                   " are the same level.";
+    return "";
+  }
+
+
   std::vector<double>
   make_rising(const std::vector<double> &values,
               const std::vector<double> &weights)

@@ -159,6 +159,9 @@ namespace Waker
               " realisations failed numerically; if these are not like the "
               "others, the probabilities are biased");
         }
+      const std::string equal_levels = equal_levels_note(info);
+      if (points.empty() && !equal_levels.empty())
+        notes.push_back(equal_levels);
       for (const std::string &note : fragility_notes(points))
         notes.push_back(note);
       return notes;

@@ -142,8 +142,17 @@ TEST(Fragility, points_are_by_level_and_of_levels_only)
 
   info.scenarios[1].water_level = NAN; // no water: no level
   EXPECT_EQ(fragility_points(info, records).size(), 1U);
+  EXPECT_EQ(equal_levels_note(info), "");
   info.scenarios[1].water_level = 4.75; // something else is swept
   EXPECT_TRUE(fragility_points(info, records).empty());
+  EXPECT_EQ(equal_levels_note(info), "");
+  // Or the same level, written in two ways, by a version that took them.
+  info.swept_parameter    = "Water/Level";
+  info.scenarios[0].value = "4.75";
+  info.scenarios[1].value = "4.750";
+  EXPECT_EQ(equal_levels_note(info),
+            "No fragility curve: Water/Level = 4.75 and 4.750 are the same "
+            "level.");
 }
 
 

@@ -38,6 +38,11 @@ namespace Waker
   fragility_points(const CampaignInfo                     &info,
                    const std::vector<std::vector<Record>> &records_by_scenario);
 
+  /// In words which of the swept water levels are equal, so that there are no
+  /// points; "" if none are, or something else is swept.
+  std::string
+  equal_levels_note(const CampaignInfo &info);
+
   /// The rising sequence that is nearest to `values` by weighted least
   /// squares (pool adjacent violators). Keeps the order of two sequences with
   /// the same weights: bounds stay bounds.
