@@ -96,22 +96,24 @@ namespace Waker
       for (unsigned int attempt = 0;; ++attempt)
         {
           make_folder(place);
+          std::optional<FolderLock> lock;
           try
             {
               const std::string path = own_path(folder);
               // Of a process that had our number: its claims are names of it.
               FolderLock::remove_dead(path);
-              FolderLock lock(path, "waker campaign");
-              require_lock(folder, lock.path(), lock.state(), lock.holder());
-              return lock;
+              lock.emplace(path, "waker campaign");
             }
           catch (const UserError &)
             {
-              // The last one of others may have removed the folder.
-              std::error_code error;
-              if (attempt >= 100 || fs::is_directory(place, error))
+              // The last one of others may have removed the folder, and the
+              // next one have made it again.
+              if (attempt >= 100)
                 throw;
+              continue;
             }
+          require_lock(folder, lock->path(), lock->state(), lock->holder());
+          return std::move(*lock);
         }
     }
   } // namespace
