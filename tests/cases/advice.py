@@ -13,8 +13,10 @@ usage: advice.py WAKER_BINARY SOURCE_DIR
 import glob
 import os
 import re
+import subprocess
 import sys
 import tempfile
+import time
 
 from program import Program
 
@@ -186,6 +188,32 @@ def main():
                                     "Time stepping/End time=0"), 1,
            fill={"Output/Directory": "other"})
 
+    # A folder in use, and one with a lock that is not ours.
+    long_run = settings("Time stepping/End time=1000", "Output/Interval=0",
+                        "Output/Directory=busy")
+    busy = subprocess.Popen([waker.path, "run", dyke] + long_run,
+                            stdout=subprocess.DEVNULL,
+                            stderr=subprocess.DEVNULL, env=waker.environment)
+    try:
+        end = time.monotonic() + 60
+        while not (os.path.exists("busy/lock") and os.path.getsize("busy/lock")):
+            if busy.poll() is not None or time.monotonic() > end:
+                complain(["run", dyke] + long_run, "takes no lock", [])
+                break
+            time.sleep(0.05)
+        follow(["run", dyke, "--overwrite"] +
+               settings("Output/Directory=busy", "Time stepping/End time=0"), 1,
+               fill={"Output/Directory": "free"})
+    finally:
+        busy.kill()
+        busy.wait()
+    os.mkdir("locked")
+    with open("locked/lock", "w", encoding="utf-8") as file:
+        file.write("of the front door\n")
+    follow(["run", dyke] + settings("Output/Directory=locked",
+                                    "Time stepping/End time=0"), 1,
+           fill={"Output/Directory": "unlocked"})
+
     # Whoever adds advice adds a line above.
     texts = ""
     for path in glob.glob(os.path.join(source, "source/**/*.cc"),
@@ -193,7 +221,7 @@ def main():
         with open(path, encoding="utf-8") as file:
             texts += file.read()
     n_set = len(re.findall(r'--set (?:\\"|[A-Z])', re.sub(r'"\s*"', "", texts)))
-    if n_set != 10:
+    if n_set != 11:
         complain([], f"the sources hold {n_set} times --set", [])
     print(f"{n_followed} pieces of advice followed, {failures} failures")
     return 1 if failures else 0

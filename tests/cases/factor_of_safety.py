@@ -3,6 +3,10 @@
 """Factors of safety without softening meet slip circles, and every slide is seen
 (doc/verification/factor_of_safety.md).
 
+Within 4 % of the circles with cells of 0.25 m. At 3.5 m that is missed by a
+tenth of a per cent because standard elements lock: there B-bar must meet it, with all
+else the same, and by as much as locking costs.
+
     /usr/bin/python3 tests/cases/factor_of_safety.py WAKER SOURCE_DIRECTORY
 """
 
@@ -18,6 +22,9 @@ FACTORS = {4.75: (1.736, "inner", 1.720),
            3.5: (1.64, "outer", 1.705),
            3: (1.445, "outer", 1.466),
            None: (1.049, "outer", 1.014)}
+# The level where standard elements lock too much, and the factor with B-bar.
+LOCKED = 3.5
+B_BAR = 1.662
 
 
 def main():
@@ -39,24 +46,40 @@ def main():
                        slide["inner_slide"]["crest_cut"], 9, 13, "m")
 
         for level, (circle, slope, before) in FACTORS.items():
-            # Looked for where it was: four trials say whether it still is.
-            water = ({"Water/Side": "none"} if level is None
-                     else {"Water/Level": level})
-            result = work.factor_of_safety(
-                f"level-{level}", CASE,
-                {**water, **measures.strength(13, 13),
-                 "Strength reduction/Lower factor": before - 0.02,
-                 "Strength reduction/Upper factor": before + 0.02,
-                 "Strength reduction/Tolerance": 0.01})
-            factor = result["factor_of_safety"]
             name = f"water at {level} m" if level else "no water"
-            checks.between(f"{name}: factor over slip circle",
-                           factor and factor / circle, 0.96, 1.04)
-            checks.between("as before", factor, before - 0.015,
+            result = around(work, f"level-{level}", level, before)
+            factor = result["factor_of_safety"]
+            checks.between(f"{name}: as before", factor, before - 0.015,
                            before + 0.015)
             checks.equal("slope", (result["failure"] or {}).get("slope"),
                          slope)
+            if level == LOCKED:
+                unlocked = around(
+                    work, "b-bar", level, B_BAR,
+                    {"Kinematics and mapping/Volumetric strain": "B-bar"}
+                )["factor_of_safety"]
+                checks.between("with B-bar, as before", unlocked,
+                               B_BAR - 0.015, B_BAR + 0.015)
+                checks.between("locking, of the circle",
+                               factor and unlocked and
+                               (factor - unlocked) / circle, 0.01, 0.04)
+                factor = unlocked
+            checks.between("factor over slip circle",
+                           factor and factor / circle, 0.96, 1.04)
     checks.finish()
+
+
+def around(work, name, level, before, sets=None):
+    """Strength reduction where the factor was: four trials say whether it
+    still is."""
+    water = ({"Water/Side": "none"} if level is None
+             else {"Water/Level": level})
+    return work.factor_of_safety(
+        name, CASE,
+        {**water, **measures.strength(13, 13), **(sets or {}),
+         "Strength reduction/Lower factor": before - 0.02,
+         "Strength reduction/Upper factor": before + 0.02,
+         "Strength reduction/Tolerance": 0.01})
 
 
 if __name__ == "__main__":
