@@ -133,7 +133,9 @@ namespace Waker
       refuse(reason);
     if (n_used == 0 && !std::isfinite(start))
       throw UserError(path,
-                      in_quotes(text) + " is " + std::to_string(start),
+                      in_quotes(text) + " is " +
+                        (std::isnan(start) ? "not a number"
+                                           : std::to_string(start)),
                       "finite numbers");
   }
 

@@ -2,6 +2,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <waker/base/errors.h>
+#include <waker/base/expression.h>
 #include <waker/base/numbers.h>
 #include <waker/base/text.h>
 #include <waker/base/time_function.h>
@@ -208,6 +209,14 @@ namespace Waker
     // Can its values be read, also those of another kind?
     if (!tidy(level).empty())
       TimeFunction(level, path + "Level");
+    if (kind == "hydrostatic")
+      for (const std::string &part : split(value, ';'))
+        {
+          if (dim == 2)
+            Expression<2>(part, path + "Value");
+          else
+            Expression<3>(part, path + "Value");
+        }
     if (dim == 2)
       Traction<2>(*this, 0.);
     else

@@ -73,16 +73,21 @@ namespace Waker
     void
     check_expression(const std::string              &path,
                      const std::string              &text,
-                     const std::vector<std::string> &more)
+                     const std::vector<std::string> &more,
+                     const unsigned int              dim)
     {
-      if (!plain_number(text))
+      if (plain_number(text))
+        return;
+      if (dim == 2)
+        PlaceExpression<2>(text, path, more, ", or a number");
+      else
         PlaceExpression<3>(text, path, more, ", or a number");
     }
   } // namespace
 
 
   void
-  MaterialParameters::check() const
+  MaterialParameters::check(const unsigned int dim) const
   {
     const std::string path = "Materials/" + name + "/";
     const auto number = [](const double value) { return in_digits(value); };
@@ -98,10 +103,11 @@ namespace Waker
       throw UserError(path + "Poisson's ratio",
                       "is " + number(poissons_ratio),
                       "above -1 and below 0.5 (an incompressible soil: 0.49)");
-    check_expression(path + "Initial strength", initial_strength, {});
+    check_expression(path + "Initial strength", initial_strength, {}, dim);
     check_expression(path + "Residual strength",
                      residual_strength,
-                     {"initial_strength"});
+                     {"initial_strength"},
+                     dim);
     if (model == "linear elastic")
       return;
 

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/errors.h>
+#include <waker/base/hash.h>
+#include <waker/base/read_file.h>
 #include <waker/output/files.h>
 #include <waker/output/output_files.h>
 #include <waker/output/pvd.h>
@@ -8,6 +11,23 @@
 
 namespace Waker
 {
+  namespace
+  {
+    bool
+    is_whole(const std::string &path, const std::string &checksum)
+    {
+      try
+        {
+          return checksum_of_text(read_file(path)) == checksum;
+        }
+      catch (const UserError &)
+        {
+          return false;
+        }
+    }
+  } // namespace
+
+
   PvdSeries::PvdSeries(const std::string &folder, const FieldSeries fields)
     : folder(folder)
     , fields(fields)
@@ -31,15 +51,20 @@ namespace Waker
   void
   PvdSeries::add(const double time)
   {
-    series.push_back({time, next_file()});
+    const std::string file = next_file();
+    series.push_back({time, file, checksum_of_text(read_file(next_path()))});
     write_pvd();
   }
 
 
-  void
+  std::vector<std::string>
   PvdSeries::restore(const std::vector<PvdEntry> &entries)
   {
     series = entries;
+    std::vector<std::string> damaged;
+    for (const PvdEntry &entry : series)
+      if (!is_whole(join_path(folder, entry.file), entry.checksum))
+        damaged.push_back(entry.file);
 
     // Files are numbered without gaps: those the checkpoint does not know
     // begin at the next number.
@@ -57,6 +82,7 @@ namespace Waker
     else
       std::filesystem::remove(join_path(folder, series_name(fields) + ".pvd"),
                               ignored);
+    return damaged;
   }
 
 

@@ -137,7 +137,20 @@ namespace Waker
       std::vector<Expression<dim>> expressions;
       for (const std::string &text : texts)
         {
-          expressions.emplace_back(text, path);
+          try
+            {
+              expressions.emplace_back(text, path);
+            }
+          catch (const UserError &)
+            {
+              // The same, but t is not offered.
+              NamedExpression(text,
+                              path,
+                              dim == 2
+                                ? std::vector<std::string>{"x", "y"}
+                                : std::vector<std::string>{"x", "y", "z"});
+              throw;
+            }
           if (expressions.back().moves())
             throw UserError(path,
                             "\"" + text + "\" depends on the time t",
@@ -159,8 +172,12 @@ namespace Waker
       if (!std::isfinite(value))
         {
           std::ostringstream where;
-          where << "\"" << expression.text() << "\" is " << value
-                << " at the point " << place_text(x) << " m";
+          where << "\"" << expression.text() << "\" is ";
+          if (std::isnan(value))
+            where << "not a number";
+          else
+            where << value;
+          where << " at the point " << place_text(x) << " m";
           throw UserError(path,
                           where.str(),
                           "a finite number (" + unit + ") at every point");

@@ -45,9 +45,10 @@ namespace Waker
                                                  FileContents::left_out);
       Log             log(std::cout, false);
       if (line.command == Command::merge)
-        merge_campaign(line.file, *scenarios[0], line.all, log);
-      else
-        print_status(line.file, *scenarios[0], log);
+        return merge_campaign(line.file, *scenarios[0], line.all, log)
+                 ? success
+                 : numerical_failure;
+      print_status(line.file, *scenarios[0], log);
       return success;
     }
 

@@ -89,24 +89,43 @@ namespace Waker
     {
       Runners<dim> runners;
       for (const auto &scenario : scenarios)
-        try
-          {
-            runners.push_back(std::make_unique<RealisationRunner<dim>>(
-              scenario->simulation,
-              scenario->reliability.fields,
-              scenario->reliability.campaign.attempts,
-              MPI_COMM_SELF));
-          }
-        catch (const NumericalFailure &failure)
-          {
-            const SweepParameters &sweep  = scenario->reliability.sweep;
-            const auto             number = std::to_string(runners.size());
-            throw NumericalFailure(
-              sweep.parameter.empty()
-                ? failure.what()
-                : "scenario " + number + " (" + sweep.parameter + " = " +
-                    sweep.list()[runners.size()] + "): " + failure.what());
-          }
+        {
+          const std::size_t      n     = runners.size();
+          const SweepParameters &sweep = scenario->reliability.sweep;
+          const std::string      swept = sweep.parameter;
+          const std::string      value = swept.empty() ? "" : sweep.list()[n];
+          try
+            {
+              runners.push_back(std::make_unique<RealisationRunner<dim>>(
+                scenario->simulation,
+                scenario->reliability.fields,
+                scenario->reliability.campaign.attempts,
+                MPI_COMM_SELF));
+            }
+          catch (const NumericalFailure &failure)
+            {
+              throw NumericalFailure(
+                swept.empty() ? failure.what()
+                              : "scenario " + std::to_string(n) + " (" + swept +
+                                  " = " + value + "): " + failure.what());
+            }
+          catch (const UserError &error)
+            {
+              if (swept.empty() || error.where == swept)
+                throw;
+              // Where the scenarios before were good only the value can be
+              // wrong.
+              if (n > 0)
+                throw UserError(swept,
+                                "is " + value + ": " + error.where + ": " +
+                                  error.problem,
+                                error.allowed);
+              throw UserError(error.where,
+                              error.problem + " (" + swept + " is " + value +
+                                ")",
+                              error.allowed);
+            }
+        }
       return runners;
     }
 
@@ -322,11 +341,7 @@ namespace Waker
         return CampaignStatus::interrupted;
       }
     if (!has_result)
-      {
-        log.warning("no realisation gave a result: all of them failed "
-                    "numerically");
-        return CampaignStatus::no_result;
-      }
+      return CampaignStatus::no_result;
     return CampaignStatus::completed;
   }
 

@@ -10,6 +10,7 @@
 #include <waker/reliability/report.h>
 #include <waker/reliability/store.h>
 
+#include <algorithm>
 
 namespace Waker
 {
@@ -72,7 +73,7 @@ namespace Waker
   } // namespace
 
 
-  void
+  bool
   merge_campaign(const std::string &folder,
                  const Input       &input,
                  const bool         all,
@@ -109,6 +110,16 @@ namespace Waker
                          records,
                          parameters.analysis,
                          read_level_distribution(parameters.analysis.risk)));
+    const bool has_result =
+      std::any_of(contents.records.begin(),
+                  contents.records.end(),
+                  [](const Record &record) {
+                    return record.outcome != Outcome::numerical_failure;
+                  });
+    if (!has_result)
+      log.warning("no realisation gave a result: all of them failed "
+                  "numerically");
+    return has_result;
   }
 
 

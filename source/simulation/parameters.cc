@@ -272,7 +272,7 @@ namespace Waker
                       "there is no material",
                       "the names of the materials, separated by commas");
     for (const MaterialParameters &material : materials)
-      material.check();
+      material.check(dimension);
 
     if (layers.empty())
       throw UserError("Soil profile/Layers",

@@ -50,6 +50,55 @@ namespace Waker
     };
 
 
+    /// Set, but of no effect with what has been chosen.
+    void
+    warn_unused(const bool                is_set,
+                const std::string        &path,
+                const std::string        &choice,
+                std::vector<std::string> &warnings)
+    {
+      if (is_set)
+        warnings.push_back(path + " is not used with " + choice);
+    }
+
+
+    void
+    check_unused(const Parameters &p, std::vector<std::string> &warnings)
+    {
+      for (const TractionParameters &t : p.tractions)
+        {
+          const TractionParameters usual;
+          const std::string        path   = "Tractions/" + t.name + "/";
+          const std::string        choice = "Kind = " + t.kind;
+          const bool               liquid = t.kind == "hydrostatic";
+          warn_unused(!liquid && t.level != usual.level,
+                      path + "Level",
+                      choice,
+                      warnings);
+          warn_unused(!liquid && t.unit_weight != usual.unit_weight,
+                      path + "Unit weight",
+                      choice,
+                      warnings);
+          warn_unused(liquid && t.value != usual.value,
+                      path + "Value",
+                      choice,
+                      warnings);
+        }
+      const WaterParameters dry;
+      if (p.water.side == "none")
+        warn_unused(p.water.unit_weight != dry.unit_weight,
+                    "Water/Unit weight",
+                    "Side = none",
+                    warnings);
+      const TimeParameters usual;
+      warn_unused(p.time.scheme != "explicit" &&
+                    p.time.courant_number != usual.courant_number,
+                  "Time stepping/Courant number",
+                  "Scheme = " + p.time.scheme,
+                  warnings);
+    }
+
+
     void
     check_strength(const std::string &path,
                    const double       strength,
@@ -228,6 +277,8 @@ namespace Waker
     if (p.points.points_per_direction == 1)
       warnings.push_back("Material points/Points per direction is 1: stresses "
                          "will be coarse; 2 is usual");
+
+    check_unused(p, warnings);
 
     for (const LayerGap &gap : layer_gaps(p.layers, 2. * p.grid.cell_size))
       {

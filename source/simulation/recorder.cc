@@ -157,11 +157,24 @@ namespace Waker
     next_fields = next_multiple(state.time, parameters.output.interval);
     next_checkpoint =
       next_multiple(state.time, parameters.output.checkpoint_interval);
-    particles.restore(progress.particles);
-    surfaces.restore(progress.surfaces);
-    grids.restore(progress.grids);
-    tractions.restore(progress.tractions);
-    walls.restore(progress.walls);
+    std::vector<std::string> damaged;
+    const auto               restore = [&](PvdSeries                   &series,
+                             const std::vector<PvdEntry> &entries) {
+      for (const std::string &file : series.restore(entries))
+        damaged.push_back(file);
+    };
+    restore(particles, progress.particles);
+    restore(surfaces, progress.surfaces);
+    restore(grids, progress.grids);
+    restore(tractions, progress.tractions);
+    restore(walls, progress.walls);
+    if (!damaged.empty())
+      resume_warning += (resume_warning.empty() ? "" : "; ") +
+                        std::to_string(damaged.size()) +
+                        " field files of before the checkpoint are missing or "
+                        "damaged, and stay so (--overwrite computes all "
+                        "again): the first is " +
+                        damaged.front();
     // The row of the checkpoint's step was written before it.
     statistics =
       std::make_unique<Statistics>(file_path(parameters.output.directory,

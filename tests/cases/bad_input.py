@@ -228,6 +228,13 @@ def sizes(cases):
            *sets("Random fields/strength/Cell size=1e-300, 3")])
     check("narrow bins", "^--set Histograms/Width bin$", "bins",
           ["campaign", random, *sets("Histograms/Width bin=1e-9")])
+    sweep = "Sweep/Parameter=Grid/Cell size"
+    check("a later value of a sweep", "^--set Sweep/Values$",
+          "^Grid/Cell size: is 0.7: Grid/Upper corner: .*no multiple",
+          ["campaign", random, *sets(sweep, "Sweep/Values=0.5; 0.7")])
+    check("the first value of a sweep", "prm:[0-9]+$",
+          r"no multiple of the cell size.*\(Grid/Cell size is 0.7\)",
+          ["campaign", random, *sets(sweep, "Sweep/Values=0.7; 0.5")])
     check("many realisations", "^--set Campaign/Realisations$",
           r"2\.15e\+09",
           ["campaign", random, *sets("Campaign/Realisations=2147483647")])

@@ -174,6 +174,27 @@ def numerical_failures(make, check):
         reproduces(campaign, repeated, check)
 
 
+def no_result(make, check):
+    """No realisation can do it: that is no probability of 0."""
+    hopeless = {"Newton/Tolerance": 1e-8, "Newton/Maximum iterations": 1,
+                "Time stepping/Maximum halvings": 0, "Campaign/Attempts": 1,
+                "Campaign/Realisations": 2}
+    campaign = make("hopeless", set=hopeless)
+    asked = campaign.asked()
+    check(asked.returncode == 3 and "no realisation gave a result"
+          in asked.stdout + asked.stderr, "no result: exit code 3",
+          f"exit code {asked.returncode}")
+    merged = campaign.ask([campaign.waker, "merge", campaign.folder])
+    check(merged.returncode == 3 and "no realisation gave a result"
+          in merged.stdout + merged.stderr, "no result: merge says so, too",
+          f"exit code {merged.returncode}")
+    with open(os.path.join(campaign.folder, "report", "report.json"),
+              encoding="utf-8") as file:
+        scenario = json.load(file)["scenarios"][0]
+    check(scenario["n"] == 0 and scenario["n_numerical_failure"] == 2,
+          "no result: report.json counts two failures")
+
+
 def full_disk(make, disk, reference, check):
     """The disk is full after a few realisations."""
     if disk.folder is not None:
@@ -384,6 +405,7 @@ def main():
         whole.run()
         reference = whole.merged()
         numerical_failures(make, check)
+        no_result(make, check)
         full_disk(make, disk, reference, check)
         run_on_full_disk(make, check)
         measurements_gone(make, folder, check)

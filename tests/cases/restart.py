@@ -120,6 +120,33 @@ def last_state(folder):
                key=os.path.getmtime)
 
 
+def damaged_fields(waker, folder):
+    """Field files of before the checkpoint that are not what was written are
+    told, and are no reason to end."""
+    run = start(waker, folder, failing)
+    while run.poll() is None and simulated_time(folder) < 1.:
+        time.sleep(0.002)
+    run.send_signal(signal.SIGTERM)
+    run.wait()
+    first, second = (os.path.join(folder, "solution", f"particles-{k:05d}.vtu")
+                     for k in (0, 1))
+    with open(first, "r+b") as file:
+        file.seek(-200, os.SEEK_END)
+        byte = file.read(1)
+        file.seek(-200, os.SEEK_END)
+        file.write(bytes([byte[0] ^ 1]))
+    os.remove(second)
+    done = subprocess.run(command(waker, folder, failing, "--resume"),
+                          capture_output=True, check=False)
+    with open(os.path.join(folder, "summary.json"), encoding="utf-8") as file:
+        warnings = " ".join(json.load(file)["warnings"])
+    ok = (done.returncode == 0 and "2 field files" in warnings and
+          "solution/particles-00000.vtu" in warnings)
+    print(f"damaged field files {'told' if ok else 'NOT TOLD'}: "
+          f"{done.returncode}, {warnings}")
+    return ok
+
+
 def main():
     waker = (sys.argv[1], os.path.join(sys.argv[2], "parameters", "chapter5",
                                        "dyke_weak.prm"))
@@ -154,6 +181,7 @@ def main():
                 same = a.read() == b.read()
             print(f"  final checkpoint {'equal' if same else 'DIFFERENT'}")
             ok = ok and same
+        ok = damaged_fields(waker, os.path.join(folder, "damaged")) and ok
     return 0 if ok else 1
 
 

@@ -188,7 +188,23 @@ namespace
                "Water/Levels"));
     EXPECT_TRUE(
       contains(where({"Sweep/Parameter=Campaign/Seed", "Sweep/Values=1; 2"}),
-               "Campaign/Seed"));
+               "\"Campaign/Seed\", which cannot be swept"));
+    for (const std::string path : {"Dimension",
+                                   "Output/Directory",
+                                   "Campaign/Realisations",
+                                   "Sweep/Values"})
+      EXPECT_TRUE(
+        contains(where({"Sweep/Parameter=" + path, "Sweep/Values=3; 2"}),
+                 "Sweep/Parameter: is \"" + path + "\", which cannot be swept"))
+        << path;
+    EXPECT_TRUE(
+      contains(where({"Sweep/Parameter=Water/Level", "Sweep/Values=4; 4.5;"}),
+               "Sweep/Values: \"4; 4.5;\" has an empty value"));
+
+    // At the sweep, not where the parameter itself stands.
+    EXPECT_TRUE(
+      contains(where({"Sweep/Parameter=Water/Level", "Sweep/Values=4; none"}),
+               "--set Sweep/Values: "));
     EXPECT_TRUE(contains(where({"Sweep/Parameter=Water/Level"}), "is empty"));
   }
 

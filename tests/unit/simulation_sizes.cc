@@ -170,7 +170,9 @@ TEST(Plausibility, units_that_are_not_the_ones_asked_for_are_told)
     {"Materials/clay/Initial strength=13000", "Initial strength is 13000 kPa"},
     {"Gravity/Acceleration=98.1", "Gravity/Acceleration is 98.1 m/s^2"},
     {"Water/Unit weight=1000", "Water/Unit weight is 1000 kN/m^3"},
-    {"Material points/Points per direction=1", "Points per direction is 1"}};
+    {"Material points/Points per direction=1", "Points per direction is 1"},
+    {"Time stepping/Courant number=0.25",
+     "Time stepping/Courant number is not used with Scheme = Newmark"}};
   for (const auto &[setting, text] : cases)
     {
       const auto found = warnings(setting);

@@ -37,7 +37,7 @@ namespace Waker
 
     /// @throws UserError "Materials/<name>/..."
     void
-    check() const;
+    check(const unsigned int dim = 3) const;
   };
 
   /// @param gravity acceleration (m/s^2) that turns unit weight into density

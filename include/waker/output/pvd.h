@@ -12,14 +12,15 @@ namespace Waker
   /// One file of a time series.
   struct PvdEntry
   {
-    double      time; // s
-    std::string file; // relative to the output folder
+    double      time;     // s
+    std::string file;     // relative to the output folder
+    std::string checksum; // checksum_of_text() of what it holds
 
     template <typename Archive>
     void
     serialize(Archive &archive, const unsigned int /*version*/)
     {
-      archive &time &file;
+      archive &time &file &checksum;
     }
   };
 
@@ -55,7 +56,9 @@ namespace Waker
 
     /// Go on from a checkpoint: files that were written after it are removed
     /// from the .pvd and from the disk.
-    void
+    /// @return those before it that are missing or no longer what was written:
+    ///   they stay as they are
+    std::vector<std::string>
     restore(const std::vector<PvdEntry> &entries);
 
   private:

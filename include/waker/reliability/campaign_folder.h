@@ -48,10 +48,12 @@ namespace Waker
    * unless `all`.
    *
    * @param input the first scenario of the campaign's parameters
+   * @return has any realisation given a result? If all failed numerically, the
+   *   log warns of it
    * @throws UserError if there is nothing to merge, FileError if it cannot be
    * written
    */
-  void
+  bool
   merge_campaign(const std::string &folder,
                  const Input       &input,
                  const bool         all,
