@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/numbers.h>
 #include <waker/reliability/columns.h>
 
-#include <limits>
 
 namespace Waker
 {
   namespace
   {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
     /// A record has -1 for a time at which nothing happened.
     double
     time_or_nan(const double time)

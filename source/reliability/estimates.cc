@@ -28,14 +28,6 @@ namespace Waker
     }
 
 
-    /// Was the reading by displacement made? Not by version 0.1.
-    bool
-    watches_slopes(const Record &record)
-    {
-      return !std::isnan(record.inner_slide.time);
-    }
-
-
     /// Moments of an event, sorted.
     template <typename Time>
     std::vector<double>
@@ -67,7 +59,7 @@ namespace Waker
       std::uint64_t n_initial = 0, n_flooding = 0, n_both = 0, n = 0;
       for (const Record &record : records)
         if (counts(record) && (reading != FailureReading::by_displacement ||
-                               watches_slopes(record)))
+                               record.watches_slopes()))
           {
             const bool fails = record.time_of(reading) >= 0.;
             ++n;
@@ -89,7 +81,7 @@ namespace Waker
       if (counts(record))
         {
           ++result.n;
-          n_watched += watches_slopes(record);
+          n_watched += record.watches_slopes();
           n_inner += record.inner_slide.time >= 0.;
           n_outer += record.outer_slide.time >= 0.;
           result.n_not_final += record.outcome == Outcome::initial_failure &&

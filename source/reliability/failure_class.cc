@@ -8,14 +8,6 @@ namespace Waker
 {
   namespace
   {
-    /// Were slides watched by displacement? Not by version 0.1.
-    bool
-    watches_slopes(const Record &record)
-    {
-      return !std::isnan(record.outer_slide.time);
-    }
-
-
     bool
     overflows(const Record &record)
     {
@@ -29,7 +21,7 @@ namespace Waker
     bool
     only_settles(const Record &record)
     {
-      return watches_slopes(record) && record.slope().empty() &&
+      return record.watches_slopes() && record.slope().empty() &&
              record.first_inward.area == 0. &&
              record.first_outward.area == 0. && record.inward.area == 0. &&
              record.outward.area == 0.;
@@ -39,13 +31,13 @@ namespace Waker
     bool
     goes_outwards(const Record &record)
     {
-      if (watches_slopes(record) && record.slope() != "both")
+      if (record.watches_slopes() && record.slope() != "both")
         return record.slope() == "outer";
       if (record.first_outward.area != record.first_inward.area)
         return record.first_outward.area > record.first_inward.area;
       if (record.outward.area != record.inward.area)
         return record.outward.area > record.inward.area;
-      if (watches_slopes(record))
+      if (record.watches_slopes())
         return record.outer_slide.time < record.inner_slide.time;
       return record.residual_width > record.initial_width;
     }

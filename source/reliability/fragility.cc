@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/exceptions.h>
 
+#include <waker/base/numbers.h>
 #include <waker/reliability/estimates.h>
 #include <waker/reliability/fragility.h>
 
 #include <algorithm>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
-#include <limits>
 
 namespace Waker
 {
   namespace
   {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-
     /// Slope at an end: of the parabola through three points, kept from
     /// overshooting (Moler 2004, "pchip").
     double

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/exceptions.h>
 
+#include <waker/base/numbers.h>
 #include <waker/reliability/intervals.h>
 
 #include <boost/math/distributions/beta.hpp>
@@ -12,7 +13,6 @@ namespace Waker
 {
   namespace
   {
-    constexpr double nan      = std::numeric_limits<double>::quiet_NaN();
     constexpr double infinity = std::numeric_limits<double>::infinity();
   } // namespace
 

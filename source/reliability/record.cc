@@ -2,6 +2,7 @@
 #include <waker/reliability/record.h>
 #include <waker/reliability/record_json.h>
 
+#include <cmath>
 #include <stdexcept>
 
 namespace Waker
@@ -57,6 +58,13 @@ namespace Waker
     }
   } // namespace
 
+
+
+  bool
+  Record::watches_slopes() const
+  {
+    return !std::isnan(inner_slide.time);
+  }
 
 
   std::string

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/numbers.h>
 #include <waker/reliability/csv_table.h>
 #include <waker/reliability/report_tables.h>
 
-#include <limits>
 
 namespace Waker
 {
   namespace
   {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-
     void
     add_risk(CsvTable &table, const BoundedProbability &flooding, const Risk &r)
     {

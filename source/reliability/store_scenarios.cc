@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/numbers.h>
 #include <waker/reliability/estimates.h>
 #include <waker/reliability/fragility.h>
 #include <waker/reliability/store_scenarios.h>
 
 #include <algorithm>
-#include <limits>
 #include <type_traits>
 
 namespace Waker
 {
   namespace
   {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-
     /// Of one member of all scenarios.
     template <typename Function>
     auto

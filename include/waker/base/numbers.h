@@ -2,10 +2,14 @@
 #ifndef waker_base_numbers_h
 #define waker_base_numbers_h
 
+#include <limits>
 #include <string>
 
 namespace Waker
 {
+  /// No number: what has not been measured, or has no value.
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
   /// How decimals are written, for errors about numbers: ", decimals with a
   /// point (0.25)".
   extern const char *const decimals_with_a_point;

@@ -64,6 +64,10 @@ namespace Waker
     /// Only if the dyke failed: the geometry whenever it changes by more than
     /// 0.02 m, with the last moment before the change, the first and the last.
     std::vector<TracePoint> trace;
+
+    /// Was the reading by displacement made? Not by version 0.1.
+    bool
+    watches_slopes() const;
   };
 
   /// One line of JSON without its end. Numbers come back with the same bits;
