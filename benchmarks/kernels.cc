@@ -145,8 +145,9 @@ namespace WakerBenchmarks
                      StressUpdate<dim>(m.the_case.materials,
                                        make_point_motion<dim>(
                                          m.the_case.parameters.mapping)),
-                     std::is_same_v<Tangent, Consistent> ? "consistent"
-                                                         : "double mapping");
+                     std::is_same_v<Tangent, Consistent>
+                       ? Waker::Tangent::consistent
+                       : Waker::Tangent::double_mapping);
       soil.begin(m.points, nodes, 0., m.dt);
       NodalVector internal;
       internal.reinit(nodes.internal_force);

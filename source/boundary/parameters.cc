@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/parameter_handler.h>
 
+#include <waker/base/choice_parameter.h>
 #include <waker/base/errors.h>
 #include <waker/base/expression_pattern.h>
 #include <waker/base/text.h>
@@ -14,13 +15,13 @@ namespace Waker
   void
   SurfaceParameters::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter("Method",
-                      method,
-                      "How the surface of the soil is found: the proximity "
-                      "field of the points, or the contour of their support "
-                      "domains. Water loads it, and the dyke is measured on "
-                      "it.",
-                      Patterns::Selection("proximity field|contour"));
+    add_choice(prm,
+               "Method",
+               method,
+               "How the surface of the soil is found: the proximity "
+               "field of the points, or the contour of their support "
+               "domains. Water loads it, and the dyke is measured on "
+               "it.");
     prm.add_parameter("Prismatic",
                       prismatic,
                       "In 3D: take the body as prismatic along z, and find its "
@@ -69,12 +70,12 @@ namespace Waker
   void
   WaterParameters::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter("Side",
-                      side,
-                      "Side of the dyke on which the water stands: none, left "
-                      "or right. It loads the surface from the toe on this "
-                      "side up to the water level.",
-                      Patterns::Selection("none|left|right"));
+    add_choice(prm,
+               "Side",
+               side,
+               "Side of the dyke on which the water stands: none, left "
+               "or right. It loads the surface from the toe on this "
+               "side up to the water level.");
     prm.declare_entry("Level",
                       level_text,
                       NumberOrWordPattern("none"),
@@ -120,9 +121,10 @@ namespace Waker
       throw UserError("Water/Level",
                       "\"" + level_text + "\" is no number",
                       "a level in m, with a decimal point; or none");
-    if (side != "none")
+    if (side != WaterSide::none)
       throw UserError("Water/Level",
-                      "is none, but water stands on the " + side,
+                      "is none, but water stands on the " +
+                        std::string(name_of(side)),
                       "a level in m, or Water/Side = none");
   }
 } // namespace Waker

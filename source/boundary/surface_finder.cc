@@ -79,7 +79,7 @@ namespace Waker
   const Surface &
   SurfaceFinder<dim>::chains()
   {
-    return chains(parameters.method);
+    return chains(found_by(parameters.method));
   }
 
 
@@ -87,16 +87,16 @@ namespace Waker
   const Surface &
   SurfaceFinder<dim>::last_chains() const
   {
-    return found_chains[parameters.method == "contour" ? 1 : 0];
+    return found_chains[parameters.method == SurfaceMethod::contour ? 1 : 0];
   }
 
 
   template <int dim>
   const Surface &
-  SurfaceFinder<dim>::chains(const std::string &method)
+  SurfaceFinder<dim>::chains(const FoundSurface which)
   {
     Assert(points != nullptr, ExcInternalError());
-    const unsigned int i = method == "contour" ? 1 : 0;
+    const unsigned int i = which == FoundSurface::contour ? 1 : 0;
     if (!has_chains[i])
       {
         if (i == 1)
@@ -114,36 +114,38 @@ namespace Waker
 
   template <int dim>
   const Facets<dim> &
-  SurfaceFinder<dim>::facets(const std::string &method, const std::string &path)
+  SurfaceFinder<dim>::facets(const FoundSurface which, const std::string &path)
   {
     Assert(points != nullptr, ExcInternalError());
-    const unsigned int i = method == "proximity field" ? 0
-                           : method == "contour"       ? 1
-                           : method == "surface nodes" ? 2
-                                                       : 3;
-    Assert(i < 3 || method == "volume", ExcInternalError());
-    Found &surface = found[i];
-    if (!surface.is_valid)
+    Found &surface = found[static_cast<unsigned int>(which)];
+    if (surface.is_valid)
+      return surface.facets;
+    switch (which)
       {
-        if (i == 2)
+        case FoundSurface::surface_nodes:
           cells.find_active(*points, functions, surface.facets);
-        else if (i == 3)
+          break;
+        case FoundSurface::volume:
           cells.find_volume(*points, path, surface.facets);
-        else if (is_spatial())
-          {
-            if (i == 1)
-              contour.detect(*points, surface.facets);
-            else
-              {
-                proximity.detect(*points, surface.facets);
-                has_field = true;
-              }
-            holes.mark(1e-9 * grid->cell_size(), surface.facets);
-          }
-        else
-          surface.facets = extrude(chains(method), *grid);
-        surface.is_valid = true;
+          break;
+        case FoundSurface::proximity_field:
+        case FoundSurface::contour:
+          if (!is_spatial())
+            {
+              surface.facets = extrude(chains(which), *grid);
+              break;
+            }
+          if (which == FoundSurface::contour)
+            contour.detect(*points, surface.facets);
+          else
+            {
+              proximity.detect(*points, surface.facets);
+              has_field = true;
+            }
+          holes.mark(1e-9 * grid->cell_size(), surface.facets);
+          break;
       }
+    surface.is_valid = true;
     return surface.facets;
   }
 

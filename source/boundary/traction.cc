@@ -29,20 +29,18 @@ namespace Waker
   template <int dim>
   Traction<dim>::Traction(const TractionParameters &parameters,
                           const double              tolerance)
-    : kind(parameters.kind == "vector"     ? Kind::vector
-           : parameters.kind == "pressure" ? Kind::pressure
-                                           : Kind::hydrostatic)
+    : kind(parameters.kind)
     , unit_weight(parameters.unit_weight)
     , tolerance(tolerance)
     , holes(parameters.holes)
   {
     const std::string path = "Tractions/" + parameters.name + "/";
-    if (kind == Kind::hydrostatic)
+    if (kind == TractionKind::hydrostatic)
       level = TimeFunction(parameters.level, path + "Level");
     else
       {
         const std::vector<std::string> parts = split(parameters.value, ';');
-        const unsigned int             n     = kind == Kind::vector ? dim : 1;
+        const unsigned int n = kind == TractionKind::vector ? dim : 1;
         if (parts.size() != n ||
             std::count(parts.begin(), parts.end(), "") != 0)
           throw UserError(path + "Value",
@@ -50,8 +48,8 @@ namespace Waker
                             std::to_string(parts.size()) +
                             " numbers or expressions",
                           std::to_string(n) + " (kPa) for a " +
-                            parameters.kind + " in " + std::to_string(dim) +
-                            "D, with \";\" between them");
+                            name_of(parameters.kind) + " in " +
+                            std::to_string(dim) + "D, with \";\" between them");
         for (const std::string &part : parts)
           {
             expressions.emplace_back(part, path + "Value");
@@ -113,7 +111,7 @@ namespace Waker
   void
   Traction<dim>::keep_loaded(Facets<dim> &part)
   {
-    if (kind != Kind::hydrostatic)
+    if (kind != TractionKind::hydrostatic)
       return;
     Tensor<1, dim> up;
     up[1] = 1.;
@@ -130,16 +128,16 @@ namespace Waker
     };
     switch (kind)
       {
-        case Kind::vector:
+        case TractionKind::vector:
           {
             Tensor<1, dim> q;
             for (unsigned int d = 0; d < dim; ++d)
               q[d] = number(d);
             return q;
           }
-        case Kind::pressure:
+        case TractionKind::pressure:
           return -number(0) * normal;
-        case Kind::hydrostatic:
+        case TractionKind::hydrostatic:
           return -unit_weight * std::max(current_level - x[1], 0.) * normal;
       }
     Assert(false, ExcInternalError());
@@ -153,9 +151,9 @@ namespace Waker
                        const Tensor<1, dim> &area,
                        const Point<dim>     &X) const
   {
-    Assert(kind != Kind::hydrostatic, ExcInternalError());
-    return kind == Kind::vector ? start_measure * value(area, X)
-                                : value(area, X);
+    Assert(kind != TractionKind::hydrostatic, ExcInternalError());
+    return kind == TractionKind::vector ? start_measure * value(area, X)
+                                        : value(area, X);
   }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/parameter_handler.h>
 
+#include <waker/base/choice_parameter.h>
 #include <waker/base/errors.h>
 #include <waker/base/expression.h>
 #include <waker/base/numbers.h>
@@ -17,10 +18,21 @@ namespace Waker
   {
     /// Is there something in this method's surface that moves with the soil?
     bool
-    can_ride(const std::string &method)
+    can_ride(const TractionMethod method)
     {
-      return method == "contour" || method == "proximity field" ||
-             method == "user surface";
+      switch (method)
+        {
+          case TractionMethod::contour:
+          case TractionMethod::proximity_field:
+          case TractionMethod::user_surface:
+            return true;
+          case TractionMethod::fixed_points:
+          case TractionMethod::updated_points:
+          case TractionMethod::surface_nodes:
+          case TractionMethod::volume:
+            return false;
+        }
+      return false;
     }
   } // namespace
 
@@ -30,15 +42,17 @@ namespace Waker
   {
     if (!can_ride(method))
       return false; // fixed points do by themselves
-    return follows == "soil" ||
-           (follows == "automatic" && !from.empty() && kind != "hydrostatic");
+    return follows == TractionFollows::soil ||
+           (follows == TractionFollows::automatic && !from.empty() &&
+            kind != TractionKind::hydrostatic);
   }
 
 
   void
   TractionParameters::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter(
+    add_choice(
+      prm,
       "Method",
       method,
       "Where the traction acts. fixed points, updated points: as equivalent "
@@ -47,9 +61,7 @@ namespace Waker
       "field: on the detected surface. user surface: on a surface of the "
       "user's that moves with the material. volume: at the volume that the "
       "points have in each cell (linear functions, bodies along the grid). "
-      "contour: on the outline of the support domains (GIMP).",
-      Patterns::Selection("fixed points|updated points|surface nodes|"
-                          "proximity field|user surface|volume|contour"));
+      "contour: on the outline of the support domains (GIMP).");
     prm.add_parameter("Surface file",
                       surface_file,
                       "The user's surface: in 2D a text file with x, y (m) of "
@@ -58,12 +70,12 @@ namespace Waker
                       "methods it may be the surface that the loads stand for; "
                       "empty: the outline of the support domains.",
                       Patterns::FileName(Patterns::FileName::input));
-    prm.add_parameter("Kind",
-                      kind,
-                      "vector: a constant direction. pressure: against the "
-                      "outward normal. hydrostatic: a pressure that grows with "
-                      "the depth below a level.",
-                      Patterns::Selection("vector|pressure|hydrostatic"));
+    add_choice(prm,
+               "Kind",
+               kind,
+               "vector: a constant direction. pressure: against the "
+               "outward normal. hydrostatic: a pressure that grows with "
+               "the depth below a level.");
     prm.add_parameter("Value",
                       value,
                       "Of a vector (kPa): its components, separated by "
@@ -98,7 +110,8 @@ namespace Waker
                       opening,
                       "Largest angle (degrees) between the normal and Facing.",
                       Patterns::Double(0., 180.));
-    prm.add_parameter(
+    add_choice(
+      prm,
       "Follows",
       follows,
       "What carries the load once the soil moves. soil: the part that From, To "
@@ -107,8 +120,7 @@ namespace Waker
       "they select now; soil that leaves the box loses its load. automatic: "
       "soil for a vector or pressure in a box on the contour, the proximity "
       "field or a user surface, otherwise space. Fixed points carry their "
-      "loads themselves.",
-      Patterns::Selection("automatic|soil|space"));
+      "loads themselves.");
     prm.add_parameter("Holes",
                       holes,
                       "proximity field and contour: load the holes inside a "
@@ -127,8 +139,8 @@ namespace Waker
 
 
   void
-  TractionParameters::check(const unsigned int dim,
-                            const std::string &functions) const
+  TractionParameters::check(const unsigned int   dim,
+                            const ShapeFunctions functions) const
   {
     const std::string path    = "Tractions/" + name + "/";
     const auto        require = [&](const std::string         &entry,
@@ -140,26 +152,28 @@ namespace Waker
                           " numbers (Dimension = " + std::to_string(dim) +
                           "), or nothing" + decimals_with_a_point);
     };
-    if (method == "volume" && functions != "linear")
+    if (method == TractionMethod::volume && functions != ShapeFunctions::linear)
       throw UserError(path + "Method",
                       "is volume, which fits the internal force of linear "
                       "functions, but Kinematics and mapping/Functions is " +
-                        functions,
+                        std::string(name_of(functions)),
                       "contour (which with GIMP is what volume is without), "
                       "or Kinematics and mapping/Functions = linear");
-    const bool on_points =
-      method == "fixed points" || method == "updated points";
-    if (method == "user surface" && surface_file.empty())
+    const bool on_points = method == TractionMethod::fixed_points ||
+                           method == TractionMethod::updated_points;
+    if (method == TractionMethod::user_surface && surface_file.empty())
       throw UserError(path + "Surface file",
                       "is empty, but Method is user surface",
                       "the file with the surface that is loaded");
-    if (!surface_file.empty() && method != "user surface" && !on_points)
+    if (!surface_file.empty() && method != TractionMethod::user_surface &&
+        !on_points)
       throw UserError(path + "Surface file",
-                      "is given, but the method \"" + method +
+                      "is given, but the method \"" +
+                        std::string(name_of(method)) +
                         "\" finds its surface by itself",
                       "nothing, or Method = user surface, fixed points or "
                       "updated points");
-    if (kind == "hydrostatic" && tidy(level).empty())
+    if (kind == TractionKind::hydrostatic && tidy(level).empty())
       throw UserError(path + "Level",
                       "is empty, but Kind is hydrostatic",
                       "a number, an expression of t (s), or a table \"t0: y0, "
@@ -191,25 +205,28 @@ namespace Waker
                           "has no direction",
                           "a vector that is not zero, or nothing");
       }
-    if (follows == "soil" && kind == "hydrostatic")
+    if (follows == TractionFollows::soil && kind == TractionKind::hydrostatic)
       throw UserError(path + "Follows",
                       "is soil, but Kind is hydrostatic: a liquid stays where "
                       "it stands",
                       "space or automatic; or Kind = pressure");
-    if (follows == "soil" && !can_ride(method) && method != "fixed points")
+    if (follows == TractionFollows::soil && !can_ride(method) &&
+        method != TractionMethod::fixed_points)
       throw UserError(path + "Follows",
-                      "is soil, but the method \"" + method +
+                      "is soil, but the method \"" +
+                        std::string(name_of(method)) +
                         "\" finds its surface anew in every step",
                       "space or automatic; or Method = contour, proximity "
                       "field, user surface or fixed points");
-    if (follows == "space" && method == "fixed points")
+    if (follows == TractionFollows::space &&
+        method == TractionMethod::fixed_points)
       throw UserError(path + "Follows",
                       "is space, but fixed points carry their loads with them",
                       "soil or automatic; or Method = updated points");
     // Can its values be read, also those of another kind?
     if (!tidy(level).empty())
       TimeFunction(level, path + "Level");
-    if (kind == "hydrostatic")
+    if (kind == TractionKind::hydrostatic)
       for (const std::string &part : split(value, ';'))
         {
           if (dim == 2)

@@ -14,16 +14,40 @@ namespace Waker
     bool
     on_points(const TractionParameters &parameters)
     {
-      return parameters.method == "fixed points" ||
-             parameters.method == "updated points";
+      return parameters.method == TractionMethod::fixed_points ||
+             parameters.method == TractionMethod::updated_points;
     }
 
 
     bool
     has_surface(const TractionParameters &parameters)
     {
-      return parameters.method == "user surface" ||
+      return parameters.method == TractionMethod::user_surface ||
              (on_points(parameters) && !parameters.surface_file.empty());
+    }
+
+
+    /// The surface that is found for a method.
+    FoundSurface
+    found_by(const TractionMethod method)
+    {
+      switch (method)
+        {
+          case TractionMethod::proximity_field:
+            return FoundSurface::proximity_field;
+          case TractionMethod::surface_nodes:
+            return FoundSurface::surface_nodes;
+          case TractionMethod::volume:
+            return FoundSurface::volume;
+          case TractionMethod::fixed_points:
+          case TractionMethod::updated_points:
+          case TractionMethod::contour:
+            return FoundSurface::contour;
+          case TractionMethod::user_surface:
+            break; // is not found
+        }
+      AssertThrow(false, ExcInternalError());
+      return FoundSurface::contour;
     }
   } // namespace
 
@@ -76,7 +100,8 @@ namespace Waker
   Tractions<dim>::moves() const
   {
     return std::any_of(items.begin(), items.end(), [](const Item &item) {
-      return item.parameters.method != "fixed points" && item.traction.moves();
+      return item.parameters.method != TractionMethod::fixed_points &&
+             item.traction.moves();
     });
   }
 
@@ -87,7 +112,7 @@ namespace Waker
   {
     double last = LastChange::never;
     for (const Item &item : items)
-      if (item.parameters.method != "fixed points")
+      if (item.parameters.method != TractionMethod::fixed_points)
         last = std::max(last, item.traction.last_change());
     return last;
   }
@@ -98,7 +123,7 @@ namespace Waker
   Tractions<dim>::varying(const double from, const double to) const
   {
     for (const Item &item : items)
-      if (item.parameters.method != "fixed points" &&
+      if (item.parameters.method != TractionMethod::fixed_points &&
           item.traction.varies(item.part, from, to))
         return "Tractions/" + item.parameters.name;
     return "";
@@ -114,8 +139,7 @@ namespace Waker
     bool sorted = false;
     for (std::size_t i = 0; i < items.size(); ++i)
       {
-        Item              &item   = items[i];
-        const std::string &method = item.parameters.method;
+        Item &item = items[i];
         // Loads that were fixed need no surface any more.
         if (has_fixed_loads(item, points))
           {
@@ -140,9 +164,7 @@ namespace Waker
             item.traction.select(user_facets, item.part);
           }
         else
-          item.traction.select(finder.facets(on_points(item.parameters)
-                                               ? "contour"
-                                               : method,
+          item.traction.select(finder.facets(found_by(item.parameters.method),
                                              path + "/Method"),
                                item.part);
         if (on_points(item.parameters) && !sorted)
@@ -164,7 +186,7 @@ namespace Waker
       {
         const Item &item = items[i];
         Assert(item.riding == &riding[i], ExcInternalError());
-        if (item.parameters.method == "fixed points")
+        if (item.parameters.method == TractionMethod::fixed_points)
           for (const Facet<dim> &facet : item.loaded)
             riding[i].measure += facet.measure();
         if (!item.parameters.rides())
@@ -175,7 +197,8 @@ namespace Waker
           {
             riding[i].ride_on_points(item.part, points, shares);
             // A pressure must know how the surface turns.
-            riding[i].has_vertices = item.parameters.kind == "pressure";
+            riding[i].has_vertices =
+              item.parameters.kind == TractionKind::pressure;
           }
       }
   }

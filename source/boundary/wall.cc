@@ -66,7 +66,7 @@ namespace Waker
                              false});
           }
         wall_names.push_back(p.name);
-        walls.push_back({p.type == "smooth",
+        walls.push_back({p.type == WallType::smooth,
                          p.penalty_factor * modulus / h,
                          read_motion<dim>(p, h),
                          Tensor<1, dim>()});

@@ -2,6 +2,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <waker/base/checks.h>
+#include <waker/base/choice_parameter.h>
 #include <waker/base/errors.h>
 #include <waker/base/text.h>
 #include <waker/boundary/wall_parameters.h>
@@ -17,11 +18,11 @@ namespace Waker
                       "soil on its left. 3D: corners of a flat convex polygon, "
                       "anticlockwise seen from the soil.",
                       Patterns::Anything());
-    prm.add_parameter("Type",
-                      type,
-                      "rough: the soil sticks to the wall. smooth: it slides "
-                      "along it. Both hold: they pull as well as push.",
-                      Patterns::Selection("rough|smooth"));
+    add_choice(prm,
+               "Type",
+               type,
+               "rough: the soil sticks to the wall. smooth: it slides "
+               "along it. Both hold: they pull as well as push.");
     prm.add_parameter("Displacement",
                       displacement,
                       "Displacement of the wall since the start (m): per "

@@ -35,9 +35,9 @@ namespace Waker
   {
     wetted.clear();
     facets.clear();
-    if (parameters.side != "none")
+    if (parameters.side != WaterSide::none)
       Waker::find_wetted_segments(surface,
-                                  parameters.side == "left",
+                                  parameters.side == WaterSide::left,
                                   parameters.level,
                                   grid->lower_corner()[1],
                                   grid->cell_size(),
@@ -52,14 +52,14 @@ namespace Waker
   {
     wetted.clear();
     facets.clear();
-    if (parameters.side == "none")
+    if (parameters.side == WaterSide::none)
       return;
     if constexpr (dim == 3)
       {
         if (!finder)
           finder.emplace();
         finder->find(surface,
-                     parameters.side == "left",
+                     parameters.side == WaterSide::left,
                      parameters.level,
                      grid->lower_corner()[1],
                      grid->cell_size(),

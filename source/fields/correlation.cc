@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/exceptions.h>
 
-#include <waker/base/errors.h>
 #include <waker/fields/correlation.h>
 #include <waker/fields/ellipsoidal_moments.h>
 
@@ -74,21 +73,6 @@ namespace Waker
   }
 
 
-  Correlation::Function
-  Correlation::function(const std::string &name)
-  {
-    if (name == "Markov")
-      return Function::markov;
-    if (name == "separable Markov")
-      return Function::separable_markov;
-    if (name == "Gaussian")
-      return Function::gaussian;
-    throw UserError("Correlation",
-                    "is '" + name + "'",
-                    "Markov, separable Markov or Gaussian");
-  }
-
-
   double
   Correlation::between_points(const std::array<double, 3> &lag) const
   {
@@ -105,9 +89,45 @@ namespace Waker
           return std::exp(-2. * std::sqrt(squares));
         case Function::separable_markov:
           return std::exp(-2. * sum);
-        default:
+        case Function::gaussian:
           return std::exp(-pi * squares);
       }
+    AssertThrow(false, ExcInternalError());
+    return 0.;
+  }
+
+
+  bool
+  Correlation::is_product() const
+  {
+    switch (kind)
+      {
+        case Function::markov:
+          return theta.size() == 1;
+        case Function::separable_markov:
+        case Function::gaussian:
+          return true;
+      }
+    AssertThrow(false, ExcInternalError());
+    return false;
+  }
+
+
+  double
+  Correlation::line(const double       cell_size,
+                    const unsigned int d,
+                    const int          lag) const
+  {
+    switch (kind)
+      {
+        case Function::markov: // on a line it is its own separable form
+        case Function::separable_markov:
+          return exponential_line(2. * cell_size / theta[d], lag);
+        case Function::gaussian:
+          return gaussian_line(std::sqrt(pi) * cell_size / theta[d], lag);
+      }
+    AssertThrow(false, ExcInternalError());
+    return 0.;
   }
 
 
@@ -116,7 +136,7 @@ namespace Waker
                              const std::array<int, 3>    &lag) const
   {
     const unsigned int dim = theta.size();
-    if (kind == Function::markov && dim > 1)
+    if (!is_product())
       {
         std::array<double, 3> a{{0., 0., 0.}};
         for (unsigned int d = 0; d < dim; ++d)
@@ -146,10 +166,7 @@ namespace Waker
 
     double product = 1.;
     for (unsigned int d = 0; d < dim; ++d)
-      product *=
-        kind == Function::gaussian
-          ? gaussian_line(std::sqrt(pi) * cell_size[d] / theta[d], lag[d])
-          : exponential_line(2. * cell_size[d] / theta[d], lag[d]);
+      product *= line(cell_size[d], d, lag[d]);
     return product;
   }
 
@@ -172,7 +189,7 @@ namespace Waker
             action(i);
     };
 
-    if (kind == Function::markov && dim > 1)
+    if (!is_product())
       {
         // Every box serves the 2^dim lags at its corners.
         std::array<double, 3> a{{0., 0., 0.}};
@@ -199,16 +216,12 @@ namespace Waker
       }
 
     // A product of lines.
-    std::array<std::vector<double>, 3> line;
+    std::array<std::vector<double>, 3> lines;
     for (unsigned int d = 0; d < 3; ++d)
       for (unsigned int k = 0; k < n[d]; ++k)
-        line[d].push_back(
-          d >= dim ? 1.
-          : kind == Function::gaussian
-            ? gaussian_line(std::sqrt(pi) * cell_size[d] / theta[d], k)
-            : exponential_line(2. * cell_size[d] / theta[d], k));
+        lines[d].push_back(d < dim ? line(cell_size[d], d, k) : 1.);
     for_all([&](const std::array<int, 3> &i) {
-      values[number(i)] = line[0][i[0]] * line[1][i[1]] * line[2][i[2]];
+      values[number(i)] = lines[0][i[0]] * lines[1][i[1]] * lines[2][i[2]];
     });
     return values;
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <waker/base/errors.h>
+#include <deal.II/base/exceptions.h>
+
 #include <waker/fields/cholesky_field.h>
 #include <waker/fields/circulant_embedding.h>
 #include <waker/fields/field_generator.h>
@@ -8,22 +9,25 @@
 namespace Waker
 {
   std::unique_ptr<FieldGenerator>
-  make_field_generator(const std::string  &method,
+  make_field_generator(const Generator     method,
                        const FieldLattice &lattice,
                        const Correlation  &correlation,
                        const std::string  &path)
   {
-    if (method == "circulant embedding")
-      return std::make_unique<CirculantEmbedding>(lattice, correlation, path);
-    if (method == "local average subdivision")
-      return std::make_unique<LocalAverageSubdivision>(lattice,
-                                                       correlation,
-                                                       path);
-    if (method == "Cholesky")
-      return std::make_unique<CholeskyField>(lattice, correlation, path);
-    throw UserError(path + "/Generator",
-                    "is '" + method + "'",
-                    "circulant embedding, local average subdivision or "
-                    "Cholesky");
+    switch (method)
+      {
+        case Generator::circulant_embedding:
+          return std::make_unique<CirculantEmbedding>(lattice,
+                                                      correlation,
+                                                      path);
+        case Generator::local_average_subdivision:
+          return std::make_unique<LocalAverageSubdivision>(lattice,
+                                                           correlation,
+                                                           path);
+        case Generator::cholesky:
+          return std::make_unique<CholeskyField>(lattice, correlation, path);
+      }
+    AssertThrow(false, dealii::ExcInternalError());
+    return nullptr;
   }
 } // namespace Waker

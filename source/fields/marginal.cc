@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/exceptions.h>
 
-#include <waker/base/errors.h>
 #include <waker/base/random_numbers.h>
 #include <waker/fields/marginal.h>
 
@@ -63,23 +62,6 @@ namespace Waker
       return boost::math::beta_distribution<double>(mu * nu, (1. - mu) * nu);
     }
   } // namespace
-
-
-  Marginal::Kind
-  Marginal::kind(const std::string &name)
-  {
-    if (name == "normal")
-      return Kind::normal;
-    if (name == "lognormal")
-      return Kind::lognormal;
-    if (name == "truncated normal")
-      return Kind::truncated_normal;
-    if (name == "beta")
-      return Kind::beta;
-    throw UserError("Distribution",
-                    "is '" + name + "'",
-                    "normal, lognormal, truncated normal or beta");
-  }
 
 
   Marginal::Marginal(const Kind   kind,

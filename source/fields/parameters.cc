@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/parameter_handler.h>
 
+#include <waker/base/choice_parameter.h>
 #include <waker/base/errors.h>
 #include <waker/base/expression_pattern.h>
 #include <waker/base/numbers.h>
 #include <waker/base/text.h>
-#include <waker/fields/marginal.h>
 #include <waker/fields/parameters.h>
 
 namespace Waker
@@ -18,14 +18,13 @@ namespace Waker
                       "Name of the material whose points get the field. Empty: "
                       "the only material there is.",
                       Patterns::Anything());
-    prm.add_parameter(
-      "Property",
-      property,
-      "The property that varies. A field of the undrained shear "
-      "strength takes the residual strength with it, in the "
-      "ratio that the material has (fully correlated), unless "
-      "that has a field of its own.",
-      Patterns::Selection("undrained shear strength|residual strength"));
+    add_choice(prm,
+               "Property",
+               property,
+               "The property that varies. A field of the undrained shear "
+               "strength takes the residual strength with it, in the "
+               "ratio that the material has (fully correlated), unless "
+               "that has a field of its own.");
     prm.add_parameter("Mean",
                       mean,
                       "Mean (kPa): a number, or an expression of x, y, z, "
@@ -45,21 +44,19 @@ namespace Waker
                       "coefficient of variation: a number, or an expression "
                       "like that of the mean.",
                       ExpressionPattern());
-    prm.add_parameter(
-      "Statistics of",
-      statistics,
-      "What the standard deviation belongs to: the cells, which "
-      "are averages, or the points of the field. Averaging "
-      "reduces that of the points (0.20 becomes 0.185 for the "
-      "dyke of chapter 5).",
-      Patterns::Selection("cells|points"));
-    prm.add_parameter("Distribution",
-                      distribution,
-                      "\"normal\" and \"lognormal\" are cut off at the limits, "
-                      "\"truncated normal\" is conditional on them, \"beta\" "
-                      "lies between them.",
-                      Patterns::Selection(
-                        "normal|lognormal|truncated normal|beta"));
+    add_choice(prm,
+               "Statistics of",
+               statistics,
+               "What the standard deviation belongs to: the cells, which "
+               "are averages, or the points of the field. Averaging "
+               "reduces that of the points (0.20 becomes 0.185 for the "
+               "dyke of chapter 5).");
+    add_choice(prm,
+               "Distribution",
+               distribution,
+               "\"normal\" and \"lognormal\" are cut off at the limits, "
+               "\"truncated normal\" is conditional on them, \"beta\" "
+               "lies between them.");
     prm.add_parameter("Minimum",
                       minimum,
                       "Least value (kPa), 0 or more.",
@@ -68,13 +65,12 @@ namespace Waker
                       maximum,
                       "Largest value (kPa).",
                       Patterns::Double(0.));
-    prm.add_parameter(
-      "Correlation function",
-      correlation,
-      "\"Markov\": exp(-2 r), r from lags divided by scales "
-      "(ellipsoidal); \"separable Markov\": a product of one per "
-      "direction; \"Gaussian\": exp(-pi r^2).",
-      Patterns::Selection("Markov|separable Markov|Gaussian"));
+    add_choice(prm,
+               "Correlation function",
+               correlation,
+               "\"Markov\": exp(-2 r), r from lags divided by scales "
+               "(ellipsoidal); \"separable Markov\": a product of one per "
+               "direction; \"Gaussian\": exp(-pi r^2).");
     prm.add_parameter("Scales of fluctuation",
                       scales,
                       "Horizontal and vertical scale (m), above 0; in 3D those "
@@ -87,13 +83,12 @@ namespace Waker
       "Empty: that of the points' support domains, one cell per "
       "point.",
       Patterns::List(Patterns::Double(0.), 0, 3));
-    prm.add_parameter("Generator",
-                      generator,
-                      "\"circulant embedding\": exact, fast. \"local average "
-                      "subdivision\": as in the thesis, with a pattern in the "
-                      "variance. \"Cholesky\": exact, for small fields.",
-                      Patterns::Selection("circulant embedding|local average "
-                                          "subdivision|Cholesky"));
+    add_choice(prm,
+               "Generator",
+               generator,
+               "\"circulant embedding\": exact, fast. \"local average "
+               "subdivision\": as in the thesis, with a pattern in the "
+               "variance. \"Cholesky\": exact, for small fields.");
     prm.add_parameter(
       "Measurements",
       measurements,
@@ -145,17 +140,19 @@ namespace Waker
       throw UserError(path + "/Maximum",
                       "is " + text(maximum),
                       "a number above Minimum, " + text(minimum));
-    if (distribution == "beta" && !(maximum < 1e299))
+    if (distribution == Marginal::Kind::beta && !(maximum < 1e299))
       throw UserError(path + "/Maximum",
                       "is not given",
                       "a number above Minimum: a beta distribution lies "
                       "between the two");
     // Its scores vary less than a standard normal number: these two
     // distributions would keep neither mean nor form.
-    if (statistics == "points" &&
-        (distribution == "beta" || distribution == "truncated normal"))
+    if (statistics == FieldStatistics::points &&
+        (distribution == Marginal::Kind::beta ||
+         distribution == Marginal::Kind::truncated_normal))
       throw UserError(path + "/Statistics of",
-                      "is \"points\" with the distribution \"" + distribution +
+                      "is \"points\" with the distribution \"" +
+                        std::string(name_of(distribution)) +
                         "\", whose averages are not known",
                       "cells; points with a normal or lognormal distribution");
   }
@@ -240,7 +237,7 @@ namespace Waker
             a.material == b.material && a.property == b.property;
           if (same_target)
             throw UserError("Random fields/" + b.name + "/Property",
-                            "is \"" + b.property +
+                            "is \"" + std::string(name_of(b.property)) +
                               "\", of which the material has a field already, "
                               "\"" +
                               a.name + "\"",

@@ -80,15 +80,14 @@ namespace Waker
         const RandomFieldParameters &p    = parameters.fields[f];
         const std::string            path = "Random fields/" + p.name;
         check_scales(p, lattices[f], path);
-        const Correlation correlation(Correlation::function(p.correlation),
-                                      p.scales);
+        const Correlation correlation(p.correlation, p.scales);
+        const bool        of_cells = p.statistics == FieldStatistics::cells;
         Field             field;
-        field.name    = p.name;
-        field.lattice = lattices[f];
-        field.gamma   = correlation.between_cells(lattices[f].cell_size, {});
-        field.scale =
-          p.statistics == "cells" ? 1. / std::sqrt(field.gamma) : 1.;
-        field.variance = p.statistics == "cells" ? 1. : field.gamma;
+        field.name     = p.name;
+        field.lattice  = lattices[f];
+        field.gamma    = correlation.between_cells(lattices[f].cell_size, {});
+        field.scale    = of_cells ? 1. / std::sqrt(field.gamma) : 1.;
+        field.variance = of_cells ? 1. : field.gamma;
         field.scales   = p.scales;
         field.generator =
           make_field_generator(p.generator, lattices[f], correlation, path);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <waker/base/errors.h>
 #include <waker/base/expression_pattern.h>
 #include <waker/materials/factory.h>
-#include <waker/materials/von_mises_softening.h>
 
 namespace Waker
 {
@@ -21,25 +19,25 @@ namespace Waker
   make_material(const MaterialParameters &p, const double gravity)
   {
     const double density = p.unit_weight / gravity;
-    if (p.model == "linear elastic")
-      return std::make_unique<LinearElastic>(density,
-                                             p.youngs_modulus,
-                                             p.poissons_ratio);
-    if (p.model == "von Mises softening")
-      return std::make_unique<VonMisesSoftening>(
-        density,
-        p.youngs_modulus,
-        p.poissons_ratio,
-        initial_value(p.initial_strength,
-                      "Materials/" + p.name + "/Initial strength"),
-        initial_value(p.residual_strength,
-                      "Materials/" + p.name + "/Residual strength"),
-        p.softening_modulus,
-        p.plastic_strain_invariant == "half"
-          ? VonMisesSoftening::Invariant::half
-          : VonMisesSoftening::Invariant::equivalent);
-    throw UserError("Materials/" + p.name + "/Model",
-                    "is \"" + p.model + "\"",
-                    "\"linear elastic\" or \"von Mises softening\"");
+    switch (p.model)
+      {
+        case MaterialModel::linear_elastic:
+          return std::make_unique<LinearElastic>(density,
+                                                 p.youngs_modulus,
+                                                 p.poissons_ratio);
+        case MaterialModel::von_mises_softening:
+          return std::make_unique<VonMisesSoftening>(
+            density,
+            p.youngs_modulus,
+            p.poissons_ratio,
+            initial_value(p.initial_strength,
+                          "Materials/" + p.name + "/Initial strength"),
+            initial_value(p.residual_strength,
+                          "Materials/" + p.name + "/Residual strength"),
+            p.softening_modulus,
+            p.plastic_strain_invariant);
+      }
+    AssertThrow(false, ExcInternalError());
+    return nullptr;
   }
 } // namespace Waker

@@ -2,6 +2,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <waker/base/checks.h>
+#include <waker/base/choice_parameter.h>
 #include <waker/base/errors.h>
 #include <waker/base/expression_pattern.h>
 #include <waker/base/numbers.h>
@@ -15,14 +16,13 @@ namespace Waker
   void
   MaterialParameters::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter("Model",
-                      model,
-                      "linear elastic: no strength. von Mises softening: "
-                      "undrained strength c that falls from the initial to the "
-                      "residual value with plastic strain; plane-strain "
-                      "strength c, yield at q = sqrt(3) c.",
-                      Patterns::Selection(
-                        "linear elastic|von Mises softening"));
+    add_choice(prm,
+               "Model",
+               model,
+               "linear elastic: no strength. von Mises softening: "
+               "undrained strength c that falls from the initial to the "
+               "residual value with plastic strain; plane-strain "
+               "strength c, yield at q = sqrt(3) c.");
     prm.add_parameter("Unit weight",
                       unit_weight,
                       "Weight per volume (kN/m^3), above 0.",
@@ -58,12 +58,12 @@ namespace Waker
                       "no softening. Results depend on the cell size with it: "
                       "there is no regularisation.",
                       Patterns::Double());
-    prm.add_parameter("Plastic strain invariant",
-                      plastic_strain_invariant,
-                      "Which measure of plastic strain e softens: equivalent = "
-                      "sqrt(2/3 e:e); half = sqrt(1/2 e:e), 13 % less for the "
-                      "same shear.",
-                      Patterns::Selection("equivalent|half"));
+    add_choice(prm,
+               "Plastic strain invariant",
+               plastic_strain_invariant,
+               "Which measure of plastic strain e softens: equivalent = "
+               "sqrt(2/3 e:e); half = sqrt(1/2 e:e), 13 % less for the "
+               "same shear.");
   }
 
 
@@ -108,7 +108,7 @@ namespace Waker
                      residual_strength,
                      {"initial_strength"},
                      dim);
-    if (model == "linear elastic")
+    if (model == MaterialModel::linear_elastic)
       return;
 
     // Expressions are read where the points are.
@@ -132,7 +132,9 @@ namespace Waker
     // exist: no snap-back of a point. H' = dq / d(lambda).
     const double shear_modulus = youngs_modulus / (2. * (1. + poissons_ratio));
     const double strain_per_lambda =
-      plastic_strain_invariant == "half" ? std::sqrt(3.) / 2. : 1.;
+      plastic_strain_invariant == VonMisesSoftening::Invariant::half
+        ? std::sqrt(3.) / 2.
+        : 1.;
     const double limit =
       -3. * shear_modulus / (std::sqrt(3.) * strain_per_lambda);
     if (!(softening_modulus > limit))

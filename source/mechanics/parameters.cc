@@ -2,6 +2,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <waker/base/checks.h>
+#include <waker/base/choice_parameter.h>
 #include <waker/base/errors.h>
 #include <waker/base/numbers.h>
 #include <waker/mechanics/parameters.h>
@@ -12,13 +13,13 @@ namespace Waker
   void
   TimeParameters::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter("Scheme",
-                      scheme,
-                      "Newmark: implicit, beta = 1/4, gamma = 1/2 (the main "
-                      "scheme). explicit: an independent check with its own, "
-                      "stable time step. quasi-static: no inertia; the time is "
-                      "that of the load.",
-                      Patterns::Selection("Newmark|explicit|quasi-static"));
+    add_choice(prm,
+               "Scheme",
+               scheme,
+               "Newmark: implicit, beta = 1/4, gamma = 1/2 (the main "
+               "scheme). explicit: an independent check with its own, "
+               "stable time step. quasi-static: no inertia; the time is "
+               "that of the load.");
     prm.add_parameter("Time step",
                       time_step,
                       "Time step of the Newmark scheme (s), above 0. The "
@@ -95,12 +96,12 @@ namespace Waker
   void
   NewtonParameters::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter("Tangent",
-                      tangent,
-                      "consistent: the derivative of the internal force, "
-                      "quadratic convergence. double mapping: from stiffness "
-                      "mapped to Gauss points, a smaller matrix.",
-                      Patterns::Selection("consistent|double mapping"));
+    add_choice(prm,
+               "Tangent",
+               tangent,
+               "consistent: the derivative of the internal force, "
+               "quadratic convergence. double mapping: from stiffness "
+               "mapped to Gauss points, a smaller matrix.");
     prm.add_parameter("Tolerance",
                       tolerance,
                       "A step has converged when the mass-weighted norm of its "
@@ -187,55 +188,58 @@ namespace Waker
   void
   MappingParameters::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter("Functions",
-                      functions,
-                      "GIMP: points with a support domain (uGIMP), smooth when "
-                      "they cross cells. linear: standard material point "
-                      "method.",
-                      Patterns::Selection("GIMP|linear"));
+    add_choice(prm,
+               "Functions",
+               functions,
+               "GIMP: points with a support domain (uGIMP), smooth when "
+               "they cross cells. linear: standard material point "
+               "method.");
     prm.add_parameter("Objective rate",
                       objective_rate,
                       "Strain at mid-step, stress turned with the body (Hughes "
                       "and Winget 1980). false: small strain without rotation, "
                       "as in the thesis.",
                       Patterns::Bool());
-    prm.add_parameter("Strain",
-                      strain,
-                      "step: the strain increment of each step. logarithmic: "
-                      "Hencky strain of the elastic deformation, with the "
-                      "internal force in the deformed configuration, for large "
-                      "elastic strains.",
-                      Patterns::Selection("step|logarithmic"));
-    prm.add_parameter("Volumetric strain",
-                      volumetric_strain,
-                      "standard: the dilatation at the point. B-bar: that of "
-                      "the cells' centres, averaged over the support domain, "
-                      "so that nearly incompressible soil does not lock (not "
-                      "with Strain = logarithmic).",
-                      Patterns::Selection("standard|B-bar"));
-    prm.add_parameter("Domains",
-                      domains,
-                      "Support domains of GIMP: constant, or stretched with "
-                      "the deformation of the points (needs Strain = "
-                      "logarithmic).",
-                      Patterns::Selection("constant|stretched"));
+    add_choice(prm,
+               "Strain",
+               strain,
+               "step: the strain increment of each step. logarithmic: "
+               "Hencky strain of the elastic deformation, with the "
+               "internal force in the deformed configuration, for large "
+               "elastic strains.");
+    add_choice(prm,
+               "Volumetric strain",
+               volumetric_strain,
+               "standard: the dilatation at the point. B-bar: that of "
+               "the cells' centres, averaged over the support domain, "
+               "so that nearly incompressible soil does not lock (not "
+               "with Strain = logarithmic).");
+    add_choice(prm,
+               "Domains",
+               domains,
+               "Support domains of GIMP: constant, or stretched with "
+               "the deformation of the points (needs Strain = "
+               "logarithmic).");
   }
 
 
   void
   MappingParameters::check() const
   {
-    if (domains == "stretched" && functions != "GIMP")
+    if (domains == SupportDomains::stretched &&
+        functions != ShapeFunctions::gimp)
       throw UserError("Kinematics and mapping/Domains",
                       "is stretched, but linear functions have no support "
                       "domains",
                       "constant, or Functions = GIMP");
-    if (domains == "stretched" && strain != "logarithmic")
+    if (domains == SupportDomains::stretched &&
+        strain != StrainMeasure::logarithmic)
       throw UserError("Kinematics and mapping/Domains",
                       "is stretched, but the deformation is only followed with "
                       "logarithmic strain",
                       "constant, or Strain = logarithmic");
-    if (volumetric_strain == "B-bar" && strain == "logarithmic")
+    if (volumetric_strain == VolumetricStrain::b_bar &&
+        strain == StrainMeasure::logarithmic)
       throw UserError("Kinematics and mapping/Volumetric strain",
                       "is B-bar, which is made for the strain of each step, "
                       "not for logarithmic strain",
@@ -256,7 +260,7 @@ namespace Waker
                         " s, but the gravity step applies the full weight and "
                         "water at once",
                       "0, or Gravity/Initial stress = false");
-    if (!time.move_points && mapping.strain == "logarithmic")
+    if (!time.move_points && mapping.strain == StrainMeasure::logarithmic)
       throw UserError("Time stepping/Move points",
                       "is false, but logarithmic strain is that of a body that "
                       "moves",

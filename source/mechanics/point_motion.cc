@@ -11,9 +11,15 @@ namespace Waker
     std::unique_ptr<PointMotion<dim>>
     make_step_motion(const MappingParameters &parameters, const bool objective)
     {
-      if (parameters.volumetric_strain == "B-bar")
-        return std::make_unique<MeanDilatationMotion<dim>>(objective);
-      return std::make_unique<StepMotion<dim>>(objective);
+      switch (parameters.volumetric_strain)
+        {
+          case VolumetricStrain::standard:
+            return std::make_unique<StepMotion<dim>>(objective);
+          case VolumetricStrain::b_bar:
+            return std::make_unique<MeanDilatationMotion<dim>>(objective);
+        }
+      AssertThrow(false, ExcInternalError());
+      return nullptr;
     }
   } // namespace
 
@@ -22,9 +28,15 @@ namespace Waker
   std::unique_ptr<PointMotion<dim>>
   make_point_motion(const MappingParameters &parameters)
   {
-    if (parameters.strain == "logarithmic")
-      return std::make_unique<LogarithmicMotion<dim>>();
-    return make_step_motion<dim>(parameters, parameters.objective_rate);
+    switch (parameters.strain)
+      {
+        case StrainMeasure::step:
+          return make_step_motion<dim>(parameters, parameters.objective_rate);
+        case StrainMeasure::logarithmic:
+          return std::make_unique<LogarithmicMotion<dim>>();
+      }
+    AssertThrow(false, ExcInternalError());
+    return nullptr;
   }
 
 

@@ -8,15 +8,21 @@ namespace Waker
   template <int dim>
   Soil<dim>::Soil(const Weights<dim> &weights,
                   StressUpdate<dim>   stress_update,
-                  const std::string  &tangent)
+                  const Tangent       tangent)
     : weights(&weights)
     , stress_update(std::move(stress_update))
     , tangent(std::in_place_type<ConsistentTangent<dim>>, weights)
     , reached(weights.background_grid())
     , work_space(weights.background_grid().n_dofs())
   {
-    if (tangent == "double mapping")
-      this->tangent.template emplace<DoubleMappedTangent<dim>>(weights);
+    switch (tangent)
+      {
+        case Tangent::consistent:
+          break;
+        case Tangent::double_mapping:
+          this->tangent.template emplace<DoubleMappedTangent<dim>>(weights);
+          break;
+      }
   }
 
 

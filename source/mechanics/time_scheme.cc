@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/exceptions.h>
+
 #include <waker/base/errors.h>
 #include <waker/mechanics/time_scheme.h>
 
@@ -13,15 +15,17 @@ namespace Waker
   std::unique_ptr<TimeScheme<dim>>
   make_time_scheme(const SchemeInput<dim> &input)
   {
-    if (input.time.scheme == "Newmark")
-      return make_newmark(input);
-    if (input.time.scheme == "explicit")
-      return make_explicit(input);
-    if (input.time.scheme == "quasi-static")
-      return make_quasi_static(input);
-    throw UserError("Time stepping/Scheme",
-                    "is \"" + input.time.scheme + "\"",
-                    "Newmark, explicit or quasi-static");
+    switch (input.time.scheme)
+      {
+        case Scheme::newmark:
+          return make_newmark(input);
+        case Scheme::explicit_steps:
+          return make_explicit(input);
+        case Scheme::quasi_static:
+          return make_quasi_static(input);
+      }
+    AssertThrow(false, ExcInternalError());
+    return nullptr;
   }
 
 
@@ -29,8 +33,21 @@ namespace Waker
   scheme_traits(const TimeParameters &time)
   {
     SchemeTraits traits;
-    traits.has_inertia  = time.scheme != "quasi-static";
-    traits.is_implicit  = time.scheme != "explicit";
+    switch (time.scheme)
+      {
+        case Scheme::newmark:
+          traits.has_inertia = true;
+          traits.is_implicit = true;
+          break;
+        case Scheme::explicit_steps:
+          traits.has_inertia = true;
+          traits.is_implicit = false;
+          break;
+        case Scheme::quasi_static:
+          traits.has_inertia = false;
+          traits.is_implicit = true;
+          break;
+      }
     traits.moves_points = traits.has_inertia || time.move_points;
     return traits;
   }

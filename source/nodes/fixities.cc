@@ -26,7 +26,7 @@ namespace Waker
     };
 
 
-    /// Direction and side of a face, from its name.
+    /// Direction and side of a face.
     struct Face
     {
       unsigned int direction;
@@ -34,13 +34,10 @@ namespace Waker
     };
 
     Face
-    face_of(const std::string &region)
+    face_of(const FixityRegion region)
     {
-      const std::array<std::string, 6> names = {
-        {"left", "right", "bottom", "top", "back", "front"}};
-      const unsigned int f =
-        std::find(names.begin(), names.end(), region) - names.begin();
-      Assert(f < names.size(), ExcInternalError());
+      Assert(region != FixityRegion::box, ExcInternalError());
+      const unsigned int f = static_cast<unsigned int>(region);
       return {f / 2, f % 2 == 1};
     }
 
@@ -49,7 +46,7 @@ namespace Waker
     std::vector<unsigned int>
     nodes_of(const BackgroundGrid<dim> &grid, const FixityParameters &fixity)
     {
-      const bool   is_box = fixity.region == "box";
+      const bool   is_box = fixity.region == FixityRegion::box;
       const Face   face   = is_box ? Face{dim, false} : face_of(fixity.region);
       const double tolerance = 1e-6 * grid.cell_size();
 
@@ -176,11 +173,11 @@ namespace Waker
         fixity.check(dim);
         const std::vector<unsigned int> nodes = nodes_of(grid, fixity);
         Hold<dim>                       hold;
-        hold.component.fill(fixity.type == "fixed");
+        hold.component.fill(fixity.type == FixityType::fixed);
         hold.expression.fill(at_rest);
-        if (fixity.type == "roller")
+        if (fixity.type == FixityType::roller)
           hold.component[face_of(fixity.region).direction] = true;
-        if (fixity.type == "prescribed")
+        if (fixity.type == FixityType::prescribed)
           {
             const std::vector<std::string> texts =
               Utilities::split_string_list(fixity.displacement, ';');
@@ -200,7 +197,7 @@ namespace Waker
                 }
           }
 
-        const bool eliminate = fixity.method == "elimination";
+        const bool eliminate = fixity.method == FixityMethod::elimination;
         for (const unsigned int node : nodes)
           for (unsigned int c = 0; c < dim; ++c)
             if (hold.component[c])

@@ -2,6 +2,7 @@
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/utilities.h>
 
+#include <waker/base/choice_parameter.h>
 #include <waker/base/errors.h>
 #include <waker/base/numbers.h>
 #include <waker/nodes/fixities.h>
@@ -14,12 +15,11 @@ namespace Waker
   void
   FixityParameters::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter("Region",
-                      region,
-                      "The nodes to hold: a face of the grid's box, with the "
-                      "margin beyond it, or \"box\": the nodes in From, To.",
-                      Patterns::Selection(
-                        "left|right|bottom|top|back|front|box"));
+    add_choice(prm,
+               "Region",
+               region,
+               "The nodes to hold: a face of the grid's box, with the "
+               "margin beyond it, or \"box\": the nodes in From, To.");
     prm.add_parameter("From",
                       from,
                       "Lower limits of the region (m), one per direction. "
@@ -29,11 +29,11 @@ namespace Waker
                       to,
                       "Upper limits of the region (m), as From.",
                       Patterns::List(Patterns::Double()));
-    prm.add_parameter("Type",
-                      type,
-                      "What is held: fixed = all components, roller = the one "
-                      "normal to the face, prescribed = those of Displacement.",
-                      Patterns::Selection("fixed|roller|prescribed"));
+    add_choice(prm,
+               "Type",
+               type,
+               "What is held: fixed = all components, roller = the one "
+               "normal to the face, prescribed = those of Displacement.");
     prm.add_parameter(
       "Displacement",
       displacement,
@@ -41,11 +41,11 @@ namespace Waker
       "since t = 0 (m), an expression of x, y, z (m) and t (s), "
       "or free; for example \"0.1*t; free\".",
       Patterns::Anything());
-    prm.add_parameter("Method",
-                      method,
-                      "elimination removes the equations, penalty adds stiff "
-                      "springs.",
-                      Patterns::Selection("elimination|penalty"));
+    add_choice(prm,
+               "Method",
+               method,
+               "elimination removes the equations, penalty adds stiff "
+               "springs.");
     prm.add_parameter("Penalty factor",
                       penalty_factor,
                       "Stiffness of a node's spring (no unit, above 0), as a "
@@ -70,32 +70,27 @@ namespace Waker
   FixityParameters::check(const unsigned int dim) const
   {
     const std::string path   = "Boundary conditions/" + name + "/";
-    const auto        choose = [&path](const std::string              &entry,
-                                const std::string              &value,
-                                const std::vector<std::string> &allowed) {
-      if (std::find(allowed.begin(), allowed.end(), value) != allowed.end())
-        return;
-      std::string list;
-      for (const std::string &a : allowed)
-        list += (list.empty() ? "" : ", ") + a;
-      throw UserError(path + entry, "is \"" + value + "\"", list);
-    };
-    std::vector<std::string> regions = {"left", "right", "bottom", "top"};
-    if (dim == 3)
-      regions.insert(regions.end(), {"back", "front"});
-    regions.push_back("box");
-    choose("Region", region, regions);
-    choose("Method", method, {"elimination", "penalty"});
-    if (region == "box")
-      choose("Type", type, {"fixed", "prescribed"}); // a box has no normal
-    else
-      choose("Type", type, {"fixed", "roller", "prescribed"});
+    const bool        is_box = region == FixityRegion::box;
+    if (!is_box && static_cast<unsigned int>(region) >= 2 * dim)
+      {
+        std::string allowed;
+        for (unsigned int f = 0; f < 2 * dim; ++f)
+          allowed += std::string(name_of(static_cast<BoxFace>(f))) + ", ";
+        throw UserError(path + "Region",
+                        "is \"" + std::string(name_of(region)) + "\"",
+                        allowed + name_of(FixityRegion::box));
+      }
+    if (is_box && type == FixityType::roller) // a box has no normal
+      throw UserError(path + "Type",
+                      "is \"" + std::string(name_of(type)) + "\"",
+                      std::string(name_of(FixityType::fixed)) + ", " +
+                        name_of(FixityType::prescribed));
 
     const std::string per_direction =
       std::to_string(dim) + " numbers in " + std::to_string(dim) + "D" +
-      (region == "box" ? "" : ", or nothing") + decimals_with_a_point;
+      (is_box ? "" : ", or nothing") + decimals_with_a_point;
     for (const auto *limit : {&from, &to})
-      if (limit->size() != dim && !(limit->empty() && region != "box"))
+      if (limit->size() != dim && !(limit->empty() && !is_box))
         throw UserError(path + (limit == &from ? "From" : "To"),
                         "has " + std::to_string(limit->size()) + " numbers",
                         per_direction);
@@ -118,11 +113,12 @@ namespace Waker
     const std::string allowed = std::to_string(dim) + " expressions of x, y, " +
                                 (dim == 3 ? "z, " : "") +
                                 "t, or \"free\", with \";\" between them";
-    if (type != "prescribed")
+    if (type != FixityType::prescribed)
       {
         if (!displacement.empty())
           throw UserError(path + "Displacement",
-                          "is \"" + displacement + "\", but Type is " + type,
+                          "is \"" + displacement + "\", but Type is " +
+                            name_of(type),
                           "nothing, or Type prescribed");
         return;
       }

@@ -2,37 +2,22 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <waker/base/checks.h>
+#include <waker/base/choice_parameter.h>
 #include <waker/base/errors.h>
 #include <waker/base/numbers.h>
 #include <waker/base/text.h>
 #include <waker/particles/flow_parameters.h>
 
-#include <algorithm>
-#include <array>
-
 namespace Waker
 {
   namespace
   {
-    const std::array<std::string, 6> face_names = {
-      {"left", "right", "bottom", "top", "back", "front"}};
-
-
-    /// 6 if there is no such face.
-    unsigned int
-    number_of(const std::string &face)
-    {
-      return std::find(face_names.begin(), face_names.end(), face) -
-             face_names.begin();
-    }
-
-
     std::string
     faces_of(const unsigned int dim)
     {
-      std::string list = face_names[0];
-      for (unsigned int f = 1; f < 2 * dim; ++f)
-        list += ", " + face_names[f];
+      std::string list;
+      for (unsigned int f = 0; f < 2 * dim; ++f)
+        list += (f > 0 ? ", " : "") + std::string(name_of(BoxFace(f)));
       return list;
     }
   } // namespace
@@ -57,7 +42,8 @@ namespace Waker
     std::vector<bool> open(2 * dim, false);
     for (const std::string &face : split(faces, ','))
       {
-        const unsigned int f = number_of(face);
+        const auto         known = find_choice<BoxFace>(face);
+        const unsigned int f = known ? static_cast<unsigned int>(*known) : 6;
         if (f >= 2 * dim)
           throw UserError("Outflow/Faces",
                           "there is no face \"" + face + "\" in " +
@@ -72,11 +58,11 @@ namespace Waker
   void
   InflowParameters::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter("Face",
-                      face,
-                      "Face of the grid's box through which soil enters, "
-                      "pushed by its nodes and free of stress.",
-                      Patterns::Selection("left|right|bottom|top|back|front"));
+    add_choice(prm,
+               "Face",
+               face,
+               "Face of the grid's box through which soil enters, "
+               "pushed by its nodes and free of stress.");
     prm.add_parameter("Material",
                       material,
                       "Material that enters: one of Materials/Names.",
@@ -99,21 +85,14 @@ namespace Waker
   }
 
 
-  unsigned int
-  InflowParameters::face_number() const
-  {
-    return number_of(face);
-  }
-
-
   void
   InflowParameters::check(const unsigned int dim) const
   {
     const std::string path = "Inflow/" + name + "/";
     if (face_number() >= 2 * dim)
       throw UserError(path + "Face",
-                      "there is no face \"" + face + "\" in " +
-                        std::to_string(dim) + "D",
+                      "there is no face \"" + std::string(name_of(face)) +
+                        "\" in " + std::to_string(dim) + "D",
                       faces_of(dim));
     for (const auto *limit : {&from, &to})
       if (!limit->empty() && limit->size() != dim)

@@ -2,6 +2,7 @@
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/utilities.h>
 
+#include <waker/base/choice_parameter.h>
 #include <waker/base/errors.h>
 #include <waker/base/numbers.h>
 #include <waker/base/places.h>
@@ -108,15 +109,15 @@ namespace Waker
                       "this share (0 to 0.5) is given to its neighbour; no "
                       "volume is lost. Rows have no cut sub-cells.",
                       Patterns::Double(0., 0.5));
-    prm.add_parameter("Placement",
-                      placement,
-                      "sub-cells: points on the lattice of the grid's "
-                      "sub-cells, cut by the layers' edges. rows: each row of "
-                      "sub-cells is divided into rectangles from edge to edge "
-                      "of a layer, so that support domains fill it and slopes "
-                      "cut the middle of the outermost ones; corners of "
-                      "slopes should lie on lines between the rows.",
-                      Patterns::Selection("sub-cells|rows"));
+    add_choice(prm,
+               "Placement",
+               placement,
+               "sub-cells: points on the lattice of the grid's "
+               "sub-cells, cut by the layers' edges. rows: each row of "
+               "sub-cells is divided into rectangles from edge to edge "
+               "of a layer, so that support domains fill it and slopes "
+               "cut the middle of the outermost ones; corners of "
+               "slopes should lie on lines between the rows.");
   }
 
 

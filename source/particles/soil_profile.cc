@@ -215,14 +215,14 @@ namespace Waker
     check_layer_volume(const Layer<dim>             &layer,
                        const std::vector<Seed<dim>> &seeds,
                        const std::size_t             first,
-                       const std::string            &placement)
+                       const Placement               placement)
     {
       double volume = 0.;
       for (std::size_t i = first; i < seeds.size(); ++i)
         volume += seeds[i].volume;
       const double difference = std::abs(volume - layer.volume());
       // Whether rows fit is seen from all of them, see check_volume().
-      const double most = placement == "rows" ? 1. : 1e-6;
+      const double most = placement == Placement::rows ? 1. : 1e-6;
       if (seeds.size() == first || !(difference <= most * layer.volume()))
         throw UserError(layer.path + "/Polygon",
                         "is too thin: the layer has " +
@@ -247,7 +247,7 @@ namespace Waker
             for (unsigned int d = 0; d < 2; ++d)
               corner[d] = to_lattice(grid, d, n, corner[d]);
           const std::size_t first = seeds.size();
-          if (parameters.placement == "rows")
+          if (parameters.placement == Placement::rows)
             add_rows(grid, layers[l], corners, n, l, seeds);
           else
             add_sub_cells(grid, layers[l], corners, parameters, l, seeds);
@@ -265,19 +265,19 @@ namespace Waker
     /// Sub-cells keep every volume to round-off. Rows follow the mid-point
     /// rule: what they miss is a corner between their lines.
     void
-    check_volume(const double       points,
-                 const double       profile,
-                 const std::string &placement)
+    check_volume(const double    points,
+                 const double    profile,
+                 const Placement placement)
     {
       const double difference = std::abs(points - profile);
-      if (placement == "rows" && difference > 0.01 * profile)
+      if (placement == Placement::rows && difference > 0.01 * profile)
         throw UserError("Material points/Placement",
                         "the rows have " + in_digits(points) +
                           " m^dim, the soil profile " + in_digits(profile) +
                           ": corners lie inside rows",
                         "layers with their corners on lines between the rows, "
                         "or sub-cells");
-      AssertThrow(placement == "rows" || difference <= 1e-10 * profile,
+      AssertThrow(placement == Placement::rows || difference <= 1e-10 * profile,
                   ExcMessage("The material points have " + in_digits(points) +
                              " m^dim, their profile " + in_digits(profile)));
     }
@@ -342,7 +342,7 @@ namespace Waker
         point_mass += points.mass[p];
       }
     check_volume(point_volume, volume, parameters.placement);
-    AssertThrow(parameters.placement == "rows" ||
+    AssertThrow(parameters.placement == Placement::rows ||
                   std::abs(point_mass - mass) <= 1e-10 * mass,
                 ExcMessage("The material points have " + in_digits(point_mass) +
                            " Mg, their profile " + in_digits(mass)));

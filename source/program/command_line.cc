@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/choice.h>
 #include <waker/base/errors.h>
 #include <waker/base/text.h>
 #include <waker/base/version.h>
@@ -255,9 +256,9 @@ namespace Waker
 
     CLI::App *const parameters =
       app.add_subcommand("parameters", "print every parameter");
-    parameters
-      ->add_option("--format", line.format, "prm, json, xml or markdown")
-      ->check(CLI::IsMember({"prm", "json", "xml", "markdown"}));
+    std::string format = name_of(line.format);
+    parameters->add_option("--format", format, "prm, json, xml or markdown")
+      ->check(CLI::IsMember(choice_names<ParameterFormat>()));
 
     try
       {
@@ -293,6 +294,7 @@ namespace Waker
       line.command = Command::merge;
     else if (parameters->parsed())
       line.command = Command::parameters;
+    line.format = choice_named<ParameterFormat>(format, "--format");
     read_parts(chunk, realisations, line);
     if (realisation)
       line.realisation = read_number("realisation", *realisation);

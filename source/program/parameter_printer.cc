@@ -121,7 +121,7 @@ namespace Waker
 
 
   void
-  print_parameters(std::ostream &output, const std::string &format)
+  print_parameters(std::ostream &output, const ParameterFormat format)
   {
     Input                          input;
     ParameterHandler               prm;
@@ -131,17 +131,20 @@ namespace Waker
                        {name, name, name, name, name, name, name, name});
 
     const auto style = ParameterHandler::KeepDeclarationOrder;
-    if (format == "prm")
-      print_prm(output, prm);
-    else if (format == "json")
-      prm.print_parameters(output, ParameterHandler::JSON | style);
-    else if (format == "xml")
-      prm.print_parameters(output, ParameterHandler::XML | style);
-    else if (format == "markdown")
-      print_markdown(output, prm);
-    else
-      throw UserError("--format",
-                      "\"" + format + "\" is unknown",
-                      "one of prm, json, xml, markdown");
+    switch (format)
+      {
+        case ParameterFormat::prm:
+          print_prm(output, prm);
+          break;
+        case ParameterFormat::json:
+          prm.print_parameters(output, ParameterHandler::JSON | style);
+          break;
+        case ParameterFormat::xml:
+          prm.print_parameters(output, ParameterHandler::XML | style);
+          break;
+        case ParameterFormat::markdown:
+          print_markdown(output, prm);
+          break;
+      }
   }
 } // namespace Waker

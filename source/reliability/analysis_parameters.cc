@@ -2,6 +2,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <waker/base/checks.h>
+#include <waker/base/choice_parameter.h>
 #include <waker/base/errors.h>
 #include <waker/reliability/analysis_parameters.h>
 
@@ -43,12 +44,12 @@ namespace Waker
   void
   RiskParameters::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter("Level distribution",
-                      distribution,
-                      "Of the highest water level of a year: none, Gumbel, or "
-                      "table (a file). With it the fragility curve of a sweep "
-                      "of water levels becomes a yearly probability.",
-                      Patterns::Selection("none|Gumbel|table"));
+    add_choice(prm,
+               "Level distribution",
+               distribution,
+               "Of the highest water level of a year: none, Gumbel, or "
+               "table (a file). With it the fragility curve of a sweep "
+               "of water levels becomes a yearly probability.");
     prm.add_parameter("Gumbel location",
                       location,
                       "Location (mode) of Gumbel's distribution of the yearly "
@@ -110,9 +111,9 @@ namespace Waker
   void
   RiskParameters::check() const
   {
-    if (distribution == "Gumbel")
+    if (distribution == LevelSource::gumbel)
       require_positive("Risk/Gumbel scale", scale);
-    if (distribution == "table" && level_table.empty())
+    if (distribution == LevelSource::table && level_table.empty())
       throw UserError("Risk/Level table",
                       "is empty, but the level distribution is a table",
                       "the name of a file");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/parameter_handler.h>
 
+#include <waker/base/choice_parameter.h>
 #include <waker/base/errors.h>
 #include <waker/base/text.h>
 #include <waker/reliability/campaign_parameters.h>
@@ -60,10 +61,10 @@ namespace Waker
       "half the time step, up to so many times in all; then it "
       "is recorded as a numerical failure.",
       Patterns::Integer(1, 10));
-    prm.add_parameter("Target",
-                      target,
-                      "The probability that the next two rules look at.",
-                      Patterns::Selection("flooding|initial failure"));
+    add_choice(prm,
+               "Target",
+               target,
+               "The probability that the next two rules look at.");
     prm.add_parameter("Coefficient of variation",
                       coefficient_of_variation,
                       "Stop when that of the estimated probability is smaller "

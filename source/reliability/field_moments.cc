@@ -6,9 +6,6 @@
 
 namespace Waker
 {
-  const char *const residual_strength = "residual strength";
-
-
   namespace
   {
     /// The number of the property among its material's variables.
@@ -21,10 +18,11 @@ namespace Waker
       const std::vector<MaterialVariable> variables =
         the_case.materials[material]->variables();
       for (unsigned int v = 0; v < variables.size(); ++v)
-        if (variables[v].name == field.property)
+        if (variables[v].name == name_of(field.property))
           return v;
       throw UserError("Random fields/" + field.name + "/Property",
-                      "is \"" + field.property + "\", which the material \"" +
+                      "is \"" + std::string(name_of(field.property)) +
+                        "\", which the material \"" +
                         the_case.parameters.materials[material].name +
                         "\" does not have",
                       "a material of the model \"von Mises softening\"");
@@ -72,7 +70,8 @@ namespace Waker
   FieldMoments<dim>::is_possible(const double mean) const
   {
     return std::isfinite(mean) &&
-           (field->property == residual_strength ? mean >= 0. : mean > 0.);
+           (field->property == FieldProperty::residual_strength ? mean >= 0.
+                                                                : mean > 0.);
   }
 
 

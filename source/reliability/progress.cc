@@ -34,8 +34,9 @@ namespace Waker
     if (p.initial_failures > 0 && counts.n_initial >= p.initial_failures)
       return true;
 
-    const std::uint64_t k =
-      p.target == "flooding" ? counts.n_flooding : counts.n_initial;
+    const std::uint64_t k = p.target == CampaignTarget::flooding
+                              ? counts.n_flooding
+                              : counts.n_initial;
     // Where all realisations agree the variation is not known, it is not 0.
     if (p.coefficient_of_variation > 0. && k < n &&
         coefficient_of_variation(k, n) < p.coefficient_of_variation)

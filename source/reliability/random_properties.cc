@@ -124,7 +124,7 @@ namespace Waker
           if (numbers[f] == material &&
               parameters.fields[f].property == field.property)
             throw UserError(path + "/Property",
-                            "is \"" + field.property +
+                            "is \"" + std::string(name_of(field.property)) +
                               "\", of which the material \"" +
                               the_case.parameters.materials[material].name +
                               "\" has a field already, \"" +
@@ -137,10 +137,8 @@ namespace Waker
                                  ? field.maximum
                                  : std::numeric_limits<double>::infinity();
         Target       target{path,
-                      field.property,
-                      Marginal(Marginal::kind(field.distribution),
-                               field.minimum,
-                               largest),
+                      name_of(field.property),
+                      Marginal(field.distribution, field.minimum, largest),
                       {},
                       {},
                       {},
@@ -183,18 +181,19 @@ namespace Waker
             }
 
         // The residual strength goes along, unless it has its own field.
-        bool own_field = field.property == residual_strength;
+        bool own_field = field.property == FieldProperty::residual_strength;
         for (const RandomFieldParameters &other : parameters.fields)
           own_field =
-            own_field || (other.property == residual_strength &&
+            own_field || (other.property == FieldProperty::residual_strength &&
                           material_number(the_case, other) == material);
         if (!own_field)
           {
             const auto initial = [&](const std::string &name) {
               return points.scalars[points.find_scalar(name)].values.data();
             };
-            const double *const c_i = initial(field.property);
-            const double *const c_r = initial(residual_strength);
+            const double *const c_i = initial(name_of(field.property));
+            const double *const c_r =
+              initial(name_of(FieldProperty::residual_strength));
             for (const std::size_t q : target.points)
               target.residual_ratio.push_back(c_r[q] / c_i[q]);
           }
@@ -297,7 +296,8 @@ namespace Waker
   {
     if (target.residual_ratio.empty())
       return;
-    std::vector<double> &residual = state.points.scalar(residual_strength);
+    std::vector<double> &residual =
+      state.points.scalar(name_of(FieldProperty::residual_strength));
     const std::vector<double> &strength = state.points.scalar(target.property);
     for (std::size_t i = 0; i < target.points.size(); ++i)
       {

@@ -109,10 +109,16 @@ namespace Waker
   std::optional<LevelDistribution>
   read_level_distribution(const RiskParameters &parameters)
   {
-    if (parameters.distribution == "Gumbel")
-      return LevelDistribution::gumbel(parameters.location, parameters.scale);
-    if (parameters.distribution != "table")
-      return {};
+    switch (parameters.distribution)
+      {
+        case LevelSource::none:
+          return {};
+        case LevelSource::gumbel:
+          return LevelDistribution::gumbel(parameters.location,
+                                           parameters.scale);
+        case LevelSource::table:
+          break;
+      }
     std::string text;
     try
       {

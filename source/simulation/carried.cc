@@ -8,7 +8,8 @@ namespace Waker
   template <int dim>
   Carried<dim>::Carried(const Case<dim> &the_case)
     : the_case(&the_case)
-    , stretches(the_case.parameters.mapping.domains == "stretched")
+    , stretches(the_case.parameters.mapping.domains ==
+                SupportDomains::stretched)
     , rides(scheme_traits(the_case.parameters.time).moves_points)
   {}
 

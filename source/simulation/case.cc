@@ -85,7 +85,7 @@ namespace Waker
     declare_material_variables(materials, initial_points);
     InitialProperties<dim>(materials, depths)
       .set(layers_of_points, initial_points);
-    if (p.mapping.domains == "stretched")
+    if (p.mapping.domains == SupportDomains::stretched)
       prepare_deformation(initial_points);
     check_run_sizes(run_sizes(*this), p);
     set_initial_state();
@@ -122,7 +122,7 @@ namespace Waker
       text << y;
       return text.str();
     };
-    const bool         has_water = parameters.water.side != "none";
+    const bool         has_water = parameters.water.side != WaterSide::none;
     const DykeGeometry dyke =
       measure_dyke(scene.surfaces.chains(), parameters.water.level);
     if (dyke.width > 0.)

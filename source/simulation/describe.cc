@@ -68,7 +68,7 @@ namespace Waker
     else
       log.line("  points    none");
     for (const MaterialParameters &m : p.materials)
-      say(log, "  material  %s: %s", m.name.c_str(), m.model.c_str());
+      say(log, "  material  %s: %s", m.name.c_str(), name_of(m.model));
 
     const double       c      = wave_speed(the_case.materials);
     const SchemeTraits scheme = scheme_traits(p.time);
@@ -78,7 +78,7 @@ namespace Waker
         say(log,
             "  time      %s, dt = %g s: %.2g times the wave CFL "
             "(c_p = %.3g m/s)",
-            p.time.scheme.c_str(),
+            name_of(p.time.scheme),
             p.time.time_step,
             cfl,
             c);
@@ -86,13 +86,13 @@ namespace Waker
     else if (!scheme.has_inertia)
       say(log,
           "  time      %s, %.3g load steps of %g s",
-          p.time.scheme.c_str(),
+          name_of(p.time.scheme),
           std::ceil(p.time.end_time / p.time.time_step * (1. - 1e-12)),
           p.time.time_step);
     else
       say(log,
           "  time      %s, dt about %.2g s (c_p = %.3g m/s)",
-          p.time.scheme.c_str(),
+          name_of(p.time.scheme),
           p.time.courant_number * h / c,
           c);
     for (std::size_t i = 0; i < p.tractions.size(); ++i)
@@ -104,24 +104,24 @@ namespace Waker
         for (unsigned int d = 0; d < dim; ++d)
           force << (d > 0 ? ", " : "") << initial.force[d];
         const bool rides =
-          traction.rides() || traction.method == "fixed points";
+          traction.rides() || traction.method == TractionMethod::fixed_points;
         say(log,
             "  traction  %s: %s on %s, (%s) kN on %.4g %s, %s",
             traction.name.c_str(),
-            traction.kind.c_str(),
-            traction.method.c_str(),
+            name_of(traction.kind),
+            name_of(traction.method),
             force.str().c_str(),
             initial.measure,
             dim == 2 ? "m" : "m^2",
             rides ? "goes with the soil" : "stays in space");
       }
-    if (p.water.side != "none" && !the_case.water_touches)
+    if (p.water.side != WaterSide::none && !the_case.water_touches)
       warn(log,
            "Water/Level: the water touches no soil at the start, at %g m: it "
            "does not stand above the foreland, and W at that level is the "
            "width of all soil there, not the dyke's",
            p.water.level);
-    if (p.water.side == "none" && !std::isnan(p.water.level) &&
+    if (p.water.side == WaterSide::none && !std::isnan(p.water.level) &&
         std::isnan(the_case.measuring_level))
       warn(log,
            "Water/Level: no soil at %g m: the width is not measured",

@@ -67,7 +67,7 @@ namespace Waker
       }
     unsigned int n_numerical = 0;
     for (const auto &[factor, trial] : table.all())
-      n_numerical += trial.outcome == "numerical failure";
+      n_numerical += trial.failed_numerically();
     json["trials"]             = table.all().size();
     json["numerical_failures"] = n_numerical;
     json["parameters_hash"]    = hash;

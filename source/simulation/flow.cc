@@ -14,8 +14,11 @@ namespace Waker
 {
   namespace
   {
-    const char *const face_names[] =
-      {"left", "right", "bottom", "top", "back", "front"};
+    FixityRegion
+    region_of(const unsigned int face)
+    {
+      return region_of(static_cast<BoxFace>(face));
+    }
 
 
     /// Does this condition hold the motion through the face?
@@ -24,7 +27,7 @@ namespace Waker
     holds_normal(const FixityParameters &condition,
                  const unsigned int      direction)
     {
-      if (condition.type != "prescribed")
+      if (condition.type != FixityType::prescribed)
         return true;
       return split(condition.displacement, ';')[direction] != "free";
     }
@@ -39,7 +42,8 @@ namespace Waker
              const Point<dim>       &upper,
              const double            h)
     {
-      if (condition.region != "box" && condition.region != face_names[face])
+      if (condition.region != FixityRegion::box &&
+          condition.region != region_of(face))
         return false;
       for (unsigned int d = 0; d < dim; ++d)
         {
@@ -48,7 +52,7 @@ namespace Waker
           const double to = condition.to.empty() ? upper[d] : condition.to[d];
           if (d == face / 2)
             {
-              if (condition.region == "box" &&
+              if (condition.region == FixityRegion::box &&
                   (from > lower[d] || to < lower[d]))
                 return false;
             }
@@ -84,8 +88,8 @@ namespace Waker
     {
       FixityParameters condition;
       condition.name   = "Inflow/" + inflow.name;
-      condition.region = inflow.face;
-      condition.type   = "prescribed";
+      condition.region = region_of(inflow.face);
+      condition.type   = FixityType::prescribed;
       for (unsigned int d = 0; d < dim; ++d)
         {
           const double v = feeder.velocity()[d];
@@ -114,14 +118,14 @@ namespace Waker
                   outflow_faces.end();
     const auto is_whole_and_held = [&](const FixityParameters &condition,
                                        const unsigned int      f) {
-      return condition.region == face_names[f] && condition.from.empty() &&
+      return condition.region == region_of(f) && condition.from.empty() &&
              condition.to.empty() && holds_normal<dim>(condition, f / 2);
     };
     for (unsigned int f = 0; f < 2 * dim; ++f)
       for (const FixityParameters &condition : parameters.fixities)
         if (outflow_faces[f] && is_whole_and_held(condition, f))
           throw UserError("Outflow/Faces",
-                          std::string(face_names[f]) +
+                          std::string(name_of(static_cast<BoxFace>(f))) +
                             " is closed by Boundary conditions/" +
                             condition.name,
                           "faces that no boundary condition closes");
@@ -133,11 +137,12 @@ namespace Waker
         const unsigned int m    = material_number(inflow, parameters.materials);
         if (outflow_faces[face])
           throw UserError(path,
-                          "is " + inflow.face + ", which is in Outflow/Faces",
+                          "is " + std::string(name_of(inflow.face)) +
+                            ", which is in Outflow/Faces",
                           "another face");
         if (!scheme.is_implicit)
           throw UserError("Time stepping/Scheme",
-                          "is " + parameters.time.scheme +
+                          std::string("is ") + name_of(parameters.time.scheme) +
                             ", but there is an inflow",
                           "Newmark or quasi-static");
         typename Feeder<dim>::Variables variables;
@@ -177,7 +182,8 @@ namespace Waker
                             grid.cell_size()) &&
               holds_normal<dim>(condition, face / 2))
             throw UserError(path,
-                            "the opening on " + inflow.face +
+                            "the opening on " +
+                              std::string(name_of(inflow.face)) +
                               " is held by Boundary conditions/" +
                               condition.name,
                             "an opening that no boundary condition and no "

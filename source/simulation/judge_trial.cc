@@ -10,7 +10,7 @@ namespace Waker
               const double                       end_time)
   {
     Trial        trial;
-    const double time = failure.time_of(parameters.failure_reading());
+    const double time = failure.time_of(parameters.reading);
     if (time < 0. && !failure.flooded())
       {
         trial.result =
@@ -25,10 +25,11 @@ namespace Waker
     if (time < 0.)
       return trial; // no reading has seen it
     const bool moved = failure.time_of(FailureReading::by_displacement) == time;
-    trial.reading    = parameters.reading != "any" ? parameters.reading
-                       : moved                     ? "displacement"
-                                                   : "width or height";
-    trial.slope      = failure.slope();
+    trial.reading =
+      name_of(parameters.reading != FailureReading::any ? parameters.reading
+              : moved ? FailureReading::by_displacement
+                      : FailureReading::by_geometry);
+    trial.slope = failure.slope();
     return trial;
   }
 } // namespace Waker

@@ -2,6 +2,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <waker/base/checks.h>
+#include <waker/base/choice_parameter.h>
 #include <waker/base/errors.h>
 #include <waker/base/numbers.h>
 #include <waker/base/sizes.h>
@@ -102,7 +103,7 @@ namespace Waker
                 const std::vector<LayerParameters> &layers)
     {
       water.check();
-      if (water.side == "none")
+      if (water.side == WaterSide::none)
         return;
       double crest = std::numeric_limits<double>::lowest();
       double base  = std::numeric_limits<double>::max();
@@ -212,29 +213,14 @@ namespace Waker
                       "The search by halving ends when the bracket is at most "
                       "this wide (-), above 0.",
                       Patterns::Double(0.));
-    prm.add_parameter("Reading",
-                      reading,
-                      "What initial failure is read off: displacement of a "
-                      "body, which sees every slide; width or height, which "
-                      "may miss some; width, the thesis's; or any, whichever "
-                      "of the first two comes first. Limits: section \"Initial "
-                      "failure\".",
-                      Patterns::Selection(
-                        "displacement|width or height|width|any"));
-  }
-
-
-  FailureReading
-  StrengthReductionParameters::failure_reading() const
-  {
-    if (reading == "displacement")
-      return FailureReading::by_displacement;
-    if (reading == "width or height")
-      return FailureReading::by_geometry;
-    if (reading == "width")
-      return FailureReading::by_width;
-    Assert(reading == "any", ExcInternalError());
-    return FailureReading::any;
+    add_choice(prm,
+               "Reading",
+               reading,
+               "What initial failure is read off: displacement of a "
+               "body, which sees every slide; width or height, which "
+               "may miss some; width, the thesis's; or any, whichever "
+               "of the first two comes first. Limits: section \"Initial "
+               "failure\".");
   }
 
 
@@ -306,7 +292,7 @@ namespace Waker
       wall.check(dimension);
     if (!walls.empty() && !scheme_traits(time).is_implicit)
       throw UserError("Time stepping/Scheme",
-                      "is " + time.scheme +
+                      std::string("is ") + name_of(time.scheme) +
                         ", but there are walls off the grid",
                       "Newmark or quasi-static");
     outflow.open_faces(dimension);

@@ -69,8 +69,8 @@ namespace Waker
         {
           const TractionParameters usual;
           const std::string        path   = "Tractions/" + t.name + "/";
-          const std::string        choice = "Kind = " + t.kind;
-          const bool               liquid = t.kind == "hydrostatic";
+          const std::string        choice = std::string("Kind = ") + name_of(t.kind);
+          const bool               liquid = t.kind == TractionKind::hydrostatic;
           warn_unused(!liquid && t.level != usual.level,
                       path + "Level",
                       choice,
@@ -85,16 +85,16 @@ namespace Waker
                       warnings);
         }
       const WaterParameters dry;
-      if (p.water.side == "none")
+      if (p.water.side == WaterSide::none)
         warn_unused(p.water.unit_weight != dry.unit_weight,
                     "Water/Unit weight",
                     "Side = none",
                     warnings);
       const TimeParameters usual;
-      warn_unused(p.time.scheme != "explicit" &&
+      warn_unused(scheme_traits(p.time).is_implicit &&
                     p.time.courant_number != usual.courant_number,
                   "Time stepping/Courant number",
-                  "Scheme = " + p.time.scheme,
+                  std::string("Scheme = ") + name_of(p.time.scheme),
                   warnings);
     }
 
@@ -130,7 +130,7 @@ namespace Waker
                    "peat to steel has");
       ranges.check(
         path + "Poisson's ratio", m.poissons_ratio, 0., 0.495, "", "usual is");
-      if (m.model == "linear elastic")
+      if (m.model == MaterialModel::linear_elastic)
         return;
       // Of an expression the points know the values.
       if (const auto strength = plain_number(m.initial_strength))
@@ -149,7 +149,7 @@ namespace Waker
         the_case.parameters.materials;
       for (std::size_t m = 0; i >= 0 && m < materials.size(); ++m)
         {
-          if (materials[m].model == "linear elastic" ||
+          if (materials[m].model == MaterialModel::linear_elastic ||
               plain_number(materials[m].initial_strength))
             continue;
           double least = std::numeric_limits<double>::max(), largest = 0.;
@@ -176,7 +176,7 @@ namespace Waker
     largest_value(const TractionParameters &traction, const double end_time)
     {
       double largest = 0.;
-      if (traction.kind == "hydrostatic")
+      if (traction.kind == TractionKind::hydrostatic)
         return largest;
       for (const std::string &part : split(traction.value, ';'))
         {
@@ -225,7 +225,9 @@ namespace Waker
           if (largest > usual_traction)
             {
               std::ostringstream text;
-              text << path << (traction.kind == "hydrostatic" ? "" : "/Value")
+              text << path
+                   << (traction.kind == TractionKind::hydrostatic ? ""
+                                                                  : "/Value")
                    << " is " << largest << " kPa; loads on soil have up to "
                    << usual_traction << " kPa";
               warnings.push_back(text.str());
@@ -259,7 +261,7 @@ namespace Waker
                    10.,
                    " m/s^2",
                    "on earth it is");
-    if (p.water.side != "none")
+    if (p.water.side != WaterSide::none)
       ranges.check("Water/Unit weight",
                    p.water.unit_weight,
                    9.5,
@@ -267,7 +269,7 @@ namespace Waker
                    " kN/m^3",
                    "fresh to muddy water has");
     for (const TractionParameters &traction : p.tractions)
-      if (traction.kind == "hydrostatic")
+      if (traction.kind == TractionKind::hydrostatic)
         ranges.check("Tractions/" + traction.name + "/Unit weight",
                      traction.unit_weight,
                      5.,

@@ -44,7 +44,7 @@ namespace Waker
                                        the_case->measuring_level),
                           state->time,
                           scene.water_level(state->time),
-                          parameters.water.side != "none",
+                          parameters.water.side != WaterSide::none,
                           parameters.initial_failure.limits);
     state->failure.watch_slopes(state->points,
                                 the_case->grid,

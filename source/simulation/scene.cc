@@ -11,10 +11,7 @@ namespace Waker
 {
   template <int dim>
   Scene<dim>::Scene(const Case<dim> &the_case)
-    : weights(the_case.grid,
-              the_case.parameters.mapping.functions == "GIMP"
-                ? ShapeFunctions::gimp
-                : ShapeFunctions::linear)
+    : weights(the_case.grid, the_case.parameters.mapping.functions)
     , nodes(the_case.grid)
     , surfaces(the_case.grid,
                the_case.parameters.surface,
@@ -126,8 +123,9 @@ namespace Waker
   {
     double last = full_loads_from(the_case->parameters.time);
     for (const double change :
-         {the_case->parameters.water.side != "none" ? water_rise.last_change()
-                                                    : LastChange::never,
+         {the_case->parameters.water.side != WaterSide::none
+            ? water_rise.last_change()
+            : LastChange::never,
           tractions.last_change(),
           walls.last_change(),
           the_case->fixities.last_change()})
@@ -142,7 +140,7 @@ namespace Waker
   {
     if (full_loads_from(the_case->parameters.time) > from)
       return "Time stepping/Load duration";
-    if (the_case->parameters.water.side != "none" &&
+    if (the_case->parameters.water.side != WaterSide::none &&
         water_rise.varies(from, to))
       return "Water/Rise";
     for (const std::string &path : {tractions.varying(from, to),
@@ -162,7 +160,7 @@ namespace Waker
     water.set_level(water_level(time));
     if (!surfaces.is_spatial())
       water.find_wetted_segments(surfaces.chains());
-    else if (the_case->parameters.water.side != "none")
+    else if (the_case->parameters.water.side != WaterSide::none)
       water.find_wetted_facets(surfaces.facets());
     water.add_nodal_forces(nodes.mass,
                            the_case->full_node_mass,

@@ -138,7 +138,7 @@ namespace Waker
                  search_json(search, table, strengths, parameters.hash));
       log.line(search_conclusion(search, table));
       for (const double factor : search.undecided())
-        if (table.find(factor)->outcome == "numerical failure")
+        if (table.find(factor)->failed_numerically())
           return RunStatus::numerical_failure;
       return RunStatus::completed;
     }
@@ -154,7 +154,7 @@ namespace Waker
   {
     Parameters parameters              = given;
     parameters.stop.on_initial_failure = true;
-    parameters.stop.reading = parameters.strength_reduction.failure_reading();
+    parameters.stop.reading            = parameters.strength_reduction.reading;
 
     const std::string &directory = parameters.output.directory;
     const FolderMode   mode      = folder_mode(options);

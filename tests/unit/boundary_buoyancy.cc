@@ -228,7 +228,7 @@ namespace
     const BackgroundGrid<dim> grid(lower, upper, h, MPI_COMM_SELF);
     DomainContour<dim>        contour(grid, SurfaceParameters(), 0);
     WaterParameters           parameters;
-    parameters.side        = "right";
+    parameters.side        = WaterSide::right;
     parameters.unit_weight = gamma_w;
 
     std::mt19937                           random(dim);
@@ -292,7 +292,7 @@ namespace
     const BackgroundGrid<dim> grid(lower, upper, h, MPI_COMM_SELF);
     ProximityField<dim>       field(grid, SurfaceParameters(), 0);
     WaterParameters           parameters;
-    parameters.side        = "left";
+    parameters.side        = WaterSide::left;
     parameters.unit_weight = gamma_w;
 
     std::mt19937                           random(dim);

@@ -2,6 +2,7 @@
 #include <waker/boundary/surface_finder.h>
 #include <waker/boundary/traction.h>
 
+#include "named.h"
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -61,7 +62,7 @@ namespace
       upper[d] = d == 0 ? 12. : 9.;
     const BackgroundGrid<dim> grid(Point<dim>(), upper, 1., MPI_COMM_SELF);
     SurfaceParameters         surface_parameters;
-    surface_parameters.method = method;
+    surface_parameters.method = Named{method};
     SurfaceFinder<dim> finder(grid,
                               surface_parameters,
                               ShapeFunctions::gimp,
@@ -70,7 +71,7 @@ namespace
       const MaterialPoints<dim> points = two_blocks<dim>(with_hole);
       finder.reset(points);
       TractionParameters parameters;
-      parameters.kind  = "pressure";
+      parameters.kind  = TractionKind::pressure;
       parameters.value = "1";
       parameters.holes = holes;
       Traction<dim> traction(parameters, 1e-9);
@@ -84,7 +85,7 @@ namespace
     EXPECT_NEAR(volume(false, false), solid, 1e-10);
     EXPECT_NEAR(volume(true, false), solid, 1e-10);
     const double hole = solid - volume(true, true);
-    if (method == "contour")
+    if (method == name_of(TractionMethod::contour))
       {
         EXPECT_NEAR(solid, std::pow(5., dim) + 1., 1e-10);
         EXPECT_NEAR(hole, std::pow(2., dim), 1e-10);

@@ -4,6 +4,7 @@
 #include <waker/simulation/case.h>
 #include <waker/simulation/scene.h>
 
+#include "named.h"
 #include "output_temporary_folder.h"
 #include <cmath>
 #include <gtest/gtest.h>
@@ -26,7 +27,7 @@ namespace
       parameters.grid.cell_size    = 0.5;
       parameters.materials.resize(1);
       parameters.materials[0].name  = "soil";
-      parameters.materials[0].model = "linear elastic";
+      parameters.materials[0].model = MaterialModel::linear_elastic;
       parameters.layers.resize(1);
       parameters.layers[0].name     = "block";
       parameters.layers[0].material = "soil";
@@ -45,8 +46,9 @@ namespace
     {
       TractionParameters t;
       t.name   = method;
-      t.method = method;
-      t.kind   = value.find(';') != std::string::npos ? "vector" : "pressure";
+      t.method = Named{method};
+      t.kind   = value.find(';') != std::string::npos ? TractionKind::vector
+                                                      : TractionKind::pressure;
       t.value  = value;
       t.from   = {1.7, 2.95};
       t.to     = {2.9, 3.05};
@@ -55,13 +57,13 @@ namespace
           t.from.push_back(1.6);
           t.to.push_back(3.1);
         }
-      if (method == "proximity field")
+      if (method == name_of(TractionMethod::proximity_field))
         {
           // It is smooth, and not quite on the block.
           t.from[1] = 2.8;
           t.to[1]   = 3.2;
         }
-      if (method == "user surface")
+      if (method == name_of(TractionMethod::user_surface))
         t.surface_file = folder.file("outline");
       parameters.tractions.push_back(t);
       return parameters.tractions.back();
@@ -130,13 +132,13 @@ namespace
   {
     LoadedBlock<dim> block;
     block.load(method, vector_value<dim>());
-    block.load(method, vector_value<dim>()).follows = "space";
+    block.load(method, vector_value<dim>()).follows = TractionFollows::space;
     const Case<dim> the_case(block.parameters, MPI_COMM_SELF);
     const double    area = dim == 2 ? 1.2 : 1.2 * 1.5;
     Scene<dim>      scene(the_case);
     scene.set(the_case.initial_points);
     const auto start = scene.tractions.resultant(0, scene.nodes.mass);
-    if (method == "contour")
+    if (method == name_of(TractionMethod::contour))
       {
         EXPECT_NEAR(start.force[1], -25. * area, 1e-12 * 25. * area);
         EXPECT_NEAR(start.measure, area, 1e-12 * area);
@@ -203,8 +205,8 @@ TEST(Boundary, a_riding_load_at_rest_is_what_it_was)
                                        std::string("4 + x + 2*y + t")})
         {
           LoadedBlock<dim> loaded;
-          loaded.load(method, value).follows = "soil";
-          loaded.load(method, value).follows = "space";
+          loaded.load(method, value).follows = TractionFollows::soil;
+          loaded.load(method, value).follows = TractionFollows::space;
           const Case<dim> the_case(loaded.parameters, MPI_COMM_SELF);
           Scene<dim>      scene(the_case);
           scene.set(the_case.initial_points, 2., initial_vertices(the_case));
@@ -235,7 +237,7 @@ TEST(Boundary, a_riding_load_on_a_body_that_is_moved)
         TractionParameters &moved = block.load(method, "4 + x - 0.613");
         if (shift == 0.5)
           moved.value = "4 + x - 0.5";
-        moved.follows = "space";
+        moved.follows = TractionFollows::space;
         for (unsigned int d = 0; d < 2; ++d)
           {
             moved.from[d] -= d == 0 ? 0. : 0.3;
@@ -272,7 +274,7 @@ test_rotation(const std::string &method)
   block.load(method, "10");
   block.load(method, vector_value<dim>());
   // The domains do not turn: a turned line may leave them.
-  if (method == "user surface")
+  if (method == name_of(TractionMethod::user_surface))
     for (TractionParameters &t : block.parameters.tractions)
       t.minimum_support = 0.01;
   const Case<dim>      the_case(block.parameters, MPI_COMM_SELF);
@@ -403,31 +405,31 @@ TEST(Boundary, which_tractions_ride)
 {
   TractionParameters t;
   t.name   = "load";
-  t.method = "contour";
+  t.method = TractionMethod::contour;
   EXPECT_FALSE(t.rides()); // no box
   t.from = {0., 0.};
   t.to   = {1., 1.};
   EXPECT_TRUE(t.rides());
-  t.kind = "vector";
+  t.kind = TractionKind::vector;
   EXPECT_TRUE(t.rides());
-  t.kind = "hydrostatic"; // a liquid
+  t.kind = TractionKind::hydrostatic; // a liquid
   EXPECT_FALSE(t.rides());
-  t.kind = "pressure";
+  t.kind = TractionKind::pressure;
   for (const char *const method : {"proximity field", "user surface"})
     {
-      t.method = method;
+      t.method = Named{method};
       EXPECT_TRUE(t.rides());
     }
   for (const char *const method :
        {"surface nodes", "volume", "updated points", "fixed points"})
     {
-      t.method = method;
+      t.method = Named{method};
       EXPECT_FALSE(t.rides()) << method;
     }
-  t.method  = "contour";
-  t.follows = "space";
+  t.method  = TractionMethod::contour;
+  t.follows = TractionFollows::space;
   EXPECT_FALSE(t.rides());
-  t.follows = "soil";
+  t.follows = TractionFollows::soil;
   t.from = t.to = {};
   EXPECT_TRUE(t.rides());
 
@@ -437,15 +439,17 @@ TEST(Boundary, which_tractions_ride)
                             const char *const kind) {
     TractionParameters p;
     p.name         = "load";
-    p.method       = method;
-    p.follows      = follows;
-    p.kind         = kind;
+    p.method       = Named{method};
+    p.follows      = Named{follows};
+    p.kind         = Named{kind};
     p.value        = "1";
     p.level        = "1";
     p.surface_file = std::string(method) == "user surface" ? "file" : "";
     try
       {
-        p.check(2, std::string(method) == "volume" ? "linear" : "GIMP");
+        p.check(2,
+                p.method == TractionMethod::volume ? ShapeFunctions::linear
+                                                   : ShapeFunctions::gimp);
       }
     catch (const UserError &error)
       {

@@ -4,6 +4,7 @@
 #include <waker/boundary/facet_load.h>
 #include <waker/boundary/traction.h>
 
+#include "named.h"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <random>
@@ -94,7 +95,7 @@ namespace
   {
     TractionParameters parameters;
     parameters.name  = "load";
-    parameters.kind  = kind;
+    parameters.kind  = Named{kind};
     parameters.value = value;
     return parameters;
   }
@@ -228,8 +229,9 @@ TEST(Boundary, traction_on_a_part_of_the_surface)
 TEST(Boundary, traction_parameters_are_checked)
 {
   const auto complaint = [](const TractionParameters &p,
-                            const unsigned int        dim       = 2,
-                            const std::string        &functions = "GIMP") {
+                            const unsigned int        dim = 2,
+                            const std::string        &functions =
+                              ShapeFunctions::gimp) {
     try
       {
         p.check(dim, functions);
@@ -244,12 +246,12 @@ TEST(Boundary, traction_parameters_are_checked)
   EXPECT_EQ(complaint(good), "");
 
   TractionParameters p = good;
-  p.method             = "volume";
+  p.method             = TractionMethod::volume;
   EXPECT_EQ(complaint(p), "Tractions/load/Method");
-  EXPECT_EQ(complaint(p, 2, "linear"), "");
+  EXPECT_EQ(complaint(p, 2, ShapeFunctions::linear), "");
 
   p        = good;
-  p.method = "user surface";
+  p.method = TractionMethod::user_surface;
   EXPECT_EQ(complaint(p), "Tractions/load/Surface file");
   p              = good;
   p.surface_file = "a.txt";
@@ -258,7 +260,7 @@ TEST(Boundary, traction_parameters_are_checked)
   p       = good;
   p.value = "1; 2";
   EXPECT_EQ(complaint(p), "Tractions/load/Value");
-  p.kind = "vector";
+  p.kind = TractionKind::vector;
   EXPECT_EQ(complaint(p), "");
   EXPECT_EQ(complaint(p, 3), "Tractions/load/Value");
   p.value = "1; ";
@@ -267,7 +269,7 @@ TEST(Boundary, traction_parameters_are_checked)
   EXPECT_EQ(complaint(p), "Tractions/load/Value");
 
   p      = good;
-  p.kind = "hydrostatic";
+  p.kind = TractionKind::hydrostatic;
   EXPECT_EQ(complaint(p), "Tractions/load/Level");
   p.level = "0: 1, 1";
   EXPECT_EQ(complaint(p), "Tractions/load/Level");

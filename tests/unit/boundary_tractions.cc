@@ -3,6 +3,7 @@
 #include <waker/simulation/scene.h>
 
 #include "loaded_bar.h"
+#include "named.h"
 #include "user_errors.h"
 #include <cmath>
 #include <gtest/gtest.h>
@@ -68,7 +69,7 @@ TEST(Boundary, tractions_on_a_bar_of_standard_material_points)
   for (unsigned int k = 0; k <= 40; ++k)
     {
       const double x = 1. + k / 40. + 1e-6; // points on no line of the grid
-      LoadedBar    bar(x, "linear");
+      LoadedBar    bar(x, ShapeFunctions::linear);
       for (const char *const method :
            {"volume", "user surface", "surface nodes"})
         bar.load(method);
@@ -92,7 +93,7 @@ TEST(Boundary, tractions_on_a_bar_of_standard_material_points)
 TEST(Boundary, tractions_on_a_block_in_three_dimensions)
 {
   for (const double x : {1., 1.2, 1.5, 1.83})
-    for (const std::string functions : {"GIMP", "linear"})
+    for (const auto functions : {ShapeFunctions::gimp, ShapeFunctions::linear})
       {
         Parameters p;
         p.dimension         = 3;
@@ -101,13 +102,13 @@ TEST(Boundary, tractions_on_a_block_in_three_dimensions)
         p.grid.cell_size    = 1.;
         // A surface by volume fits across itself, and where the sides along it
         // lie on the grid: a layer of points is not where its volume is put.
-        const double y         = functions == "GIMP" ? x + 0.11 : 1.;
-        const double z         = functions == "GIMP" ? 0.95 * x : 1.;
-        p.mapping.functions    = functions;
+        const double y      = functions == ShapeFunctions::gimp ? x + 0.11 : 1.;
+        const double z      = functions == ShapeFunctions::gimp ? 0.95 * x : 1.;
+        p.mapping.functions = functions;
         p.gravity.acceleration = 0.;
         p.materials.resize(1);
         p.materials[0].name  = "soil";
-        p.materials[0].model = "linear elastic";
+        p.materials[0].model = MaterialModel::linear_elastic;
         p.layers.resize(1);
         p.layers[0].name     = "block";
         p.layers[0].material = "soil";
@@ -115,15 +116,16 @@ TEST(Boundary, tractions_on_a_block_in_three_dimensions)
         p.layers[0].polygon = "1, 1; 3, 1; 3, 3; 1, 3";
         p.layers[0].extent  = {1., 3.};
 
-        std::vector<std::string> methods = {functions == "GIMP" ? "contour"
-                                                                : "volume",
+        std::vector<std::string> methods = {functions == ShapeFunctions::gimp
+                                              ? "contour"
+                                              : "volume",
                                             "surface nodes",
                                             "updated points"};
         for (const std::string &method : methods)
           {
             TractionParameters traction;
             traction.name   = method;
-            traction.method = method;
+            traction.method = Named{method};
             traction.value  = "1";
             p.tractions.push_back(traction);
           }
@@ -142,7 +144,7 @@ TEST(Boundary, tractions_on_a_block_in_three_dimensions)
         double largest[3] = {0., 0., 0.}, total = 0.;
         for (unsigned int i = 0; i < the_case.grid.n_dofs(); ++i)
           {
-            if (functions == "linear" && i % 3 != 0)
+            if (functions == ShapeFunctions::linear && i % 3 != 0)
               continue;
             const double f = scene.nodes.internal_force.local_element(i);
             total += std::abs(f);
@@ -155,7 +157,7 @@ TEST(Boundary, tractions_on_a_block_in_three_dimensions)
         EXPECT_GT(total, 5.);
         EXPECT_LT(largest[0], 1e-12) << methods[0] << ", " << x;
         EXPECT_GT(largest[2], 0.05) << x;
-        if (functions == "GIMP")
+        if (functions == ShapeFunctions::gimp)
           {
             EXPECT_GT(largest[1], 0.04) << x;
           }
@@ -293,18 +295,18 @@ TEST(Boundary, a_traction_that_loads_nothing_is_a_mistake)
             }),
             "Tractions/contour/From");
   EXPECT_EQ(complaint([](TractionParameters &t) {
-              t.kind  = "hydrostatic";
+              t.kind  = TractionKind::hydrostatic;
               t.level = "-0.5";
             }),
             "Tractions/contour/Level");
   // It may rise to the surface later.
   EXPECT_EQ(complaint([](TractionParameters &t) {
-              t.kind  = "hydrostatic";
+              t.kind  = TractionKind::hydrostatic;
               t.level = "-0.5 + t";
             }),
             "");
   EXPECT_EQ(complaint([](TractionParameters &t) {
-              t.method       = "user surface";
+              t.method       = TractionMethod::user_surface;
               t.surface_file = "/no/such/file";
             }),
             "Tractions/contour/Surface file");

@@ -5,6 +5,7 @@
 #include <waker/mapping/transfer.h>
 
 #include "mapping_lattice.h"
+#include "named.h"
 #include "user_errors.h"
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -182,7 +183,7 @@ TEST(BoundaryWall, ForceStiffnessAndWorkBelongTogether)
   for (const std::string type : {"rough", "smooth"})
     {
       auto parameters = wall("1.9, 0.2; 1.2, 2.7", "0.1*t; -0.2*t^2");
-      parameters.type = type;
+      parameters.type = Named{type};
       Fixture<2> setup(parameters, 1.63);
       setup.walls.set_step(1., 0.5);
       const NodalVector u = random(setup.grid, 1), du = random(setup.grid, 2);

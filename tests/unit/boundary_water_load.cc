@@ -2,6 +2,7 @@
 #include <waker/boundary/proximity_field.h>
 #include <waker/boundary/water_load.h>
 
+#include "named.h"
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -94,7 +95,7 @@ namespace
   water(const std::string &side, const double level)
   {
     WaterParameters parameters;
-    parameters.side        = side;
+    parameters.side        = Named{side};
     parameters.level       = level;
     parameters.unit_weight = 9.81;
     return parameters;

@@ -2,6 +2,7 @@
 #include <waker/boundary/proximity_field.h>
 #include <waker/boundary/water_load.h>
 
+#include "named.h"
 #include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
@@ -27,7 +28,7 @@ namespace
   water(const std::string &side, const double level)
   {
     WaterParameters parameters;
-    parameters.side        = side;
+    parameters.side        = Named{side};
     parameters.level       = level;
     parameters.unit_weight = gamma_w;
     return parameters;

@@ -3,6 +3,7 @@
 
 #include <waker/boundary/water_load.h>
 
+#include "named.h"
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -31,7 +32,7 @@ namespace
   water(const std::string &side, const double level)
   {
     WaterParameters parameters;
-    parameters.side        = side;
+    parameters.side        = Named{side};
     parameters.level       = level;
     parameters.unit_weight = 9.81;
     return parameters;
@@ -162,7 +163,7 @@ TEST(Boundary, parameters_of_the_water_are_read)
   prm.parse_input_from_string("set Side = right\nset Level = -1.5\n"
                               "set Unit weight = 9.81\n"
                               "set Minimum support = 0.02\n");
-  EXPECT_EQ(parameters.side, "right");
+  EXPECT_EQ(parameters.side, WaterSide::right);
   EXPECT_EQ(parameters.level, -1.5);
   EXPECT_EQ(parameters.unit_weight, 9.81);
   EXPECT_EQ(parameters.minimum_support, 0.02);
@@ -170,6 +171,6 @@ TEST(Boundary, parameters_of_the_water_are_read)
   EXPECT_THROW(prm.parse_input_from_string("set Side = up\n"), WrongValue);
   EXPECT_THROW(prm.parse_input_from_string("set Unit weight = -1\n"),
                WrongValue);
-  EXPECT_EQ(parameters.side, "right");
+  EXPECT_EQ(parameters.side, WaterSide::right);
   EXPECT_EQ(parameters.unit_weight, 9.81);
 }

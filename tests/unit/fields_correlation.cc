@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/choice.h>
 #include <waker/base/errors.h>
 #include <waker/fields/correlation.h>
 
@@ -240,12 +241,12 @@ namespace
 
   TEST(Correlation, names)
   {
-    EXPECT_EQ(Correlation::function("Markov"), Function::markov);
-    EXPECT_EQ(Correlation::function("separable Markov"),
-              Function::separable_markov);
-    EXPECT_EQ(Correlation::function("Gaussian"), Function::gaussian);
-    EXPECT_USER_ERROR(Correlation::function("markov"),
-                      "Correlation",
-                      "is 'markov'");
+    const auto named = [](const std::string &name) {
+      return choice_named<Function>(name, "Correlation");
+    };
+    EXPECT_EQ(named("Markov"), Function::markov);
+    EXPECT_EQ(named("separable Markov"), Function::separable_markov);
+    EXPECT_EQ(named("Gaussian"), Function::gaussian);
+    EXPECT_USER_ERROR(named("markov"), "Correlation", "is \"markov\"");
   }
 } // namespace

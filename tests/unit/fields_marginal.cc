@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/choice.h>
 #include <waker/base/errors.h>
 #include <waker/base/random_numbers.h>
 #include <waker/fields/marginal.h>
@@ -249,10 +250,13 @@ namespace
 
   TEST(Marginal, names)
   {
-    EXPECT_EQ(Marginal::kind("normal"), Kind::normal);
-    EXPECT_EQ(Marginal::kind("lognormal"), Kind::lognormal);
-    EXPECT_EQ(Marginal::kind("truncated normal"), Kind::truncated_normal);
-    EXPECT_EQ(Marginal::kind("beta"), Kind::beta);
-    EXPECT_USER_ERROR(Marginal::kind("gamma"), "Distribution", "is 'gamma'");
+    const auto named = [](const std::string &name) {
+      return choice_named<Kind>(name, "Distribution");
+    };
+    EXPECT_EQ(named("normal"), Kind::normal);
+    EXPECT_EQ(named("lognormal"), Kind::lognormal);
+    EXPECT_EQ(named("truncated normal"), Kind::truncated_normal);
+    EXPECT_EQ(named("beta"), Kind::beta);
+    EXPECT_USER_ERROR(named("gamma"), "Distribution", "is \"gamma\"");
   }
 } // namespace

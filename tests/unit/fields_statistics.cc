@@ -7,6 +7,7 @@
 #include <waker/fields/field_generator.h>
 #include <waker/fields/marginal.h>
 
+#include "named.h"
 #include "verification_data.h"
 #include <array>
 #include <boost/math/distributions/chi_squared.hpp>
@@ -88,7 +89,7 @@ namespace
     const double      theta_v = 0.5;
     const Correlation correlation(function, {theta_h, theta_v});
     const auto        generator =
-      make_field_generator(method, lattice, correlation, "test");
+      make_field_generator(Named{method}, lattice, correlation, "test");
     const double sd =
       std::sqrt(correlation.between_cells(lattice.cell_size, {{0, 0, 0}}));
 

@@ -5,6 +5,7 @@
 #include <waker/simulation/case.h>
 #include <waker/simulation/scene.h>
 
+#include "named.h"
 #include "output_temporary_folder.h"
 #include <sstream>
 
@@ -15,14 +16,15 @@ namespace Waker
   class LoadedBar
   {
   public:
-    explicit LoadedBar(const double x, const std::string &functions = "GIMP")
+    explicit LoadedBar(const double         x,
+                       const ShapeFunctions functions = ShapeFunctions::gimp)
     {
       parameters.grid.lower_corner = {0., 0.};
       parameters.grid.upper_corner = {6., 1.};
       parameters.grid.cell_size    = 1.;
       MaterialParameters material;
       material.name           = "elastic";
-      material.model          = "linear elastic";
+      material.model          = MaterialModel::linear_elastic;
       material.youngs_modulus = 1000.;
       material.poissons_ratio = 0.;
       parameters.materials    = {material};
@@ -36,13 +38,13 @@ namespace Waker
               << ", 1";
       layer.polygon               = polygon.str();
       parameters.layers           = {layer};
-      parameters.points.placement = "rows";
+      parameters.points.placement = Placement::rows;
       for (const char *const region : {"bottom", "top"})
         {
           FixityParameters roller;
           roller.name   = region;
-          roller.region = region;
-          roller.type   = "roller";
+          roller.region = Named{region};
+          roller.type   = FixityType::roller;
           parameters.fixities.push_back(roller);
         }
       parameters.gravity.acceleration   = 0.;
@@ -64,11 +66,12 @@ namespace Waker
     {
       TractionParameters traction;
       traction.name   = method;
-      traction.method = method;
-      traction.kind   = "pressure";
+      traction.method = Named{method};
+      traction.kind   = TractionKind::pressure;
       traction.value  = "1";
       // Where points lie on a corner the closest one may be above or below it.
-      if (method == "user surface" || method == "fixed points")
+      if (method == name_of(TractionMethod::user_surface) ||
+          method == name_of(TractionMethod::fixed_points))
         traction.surface_file = folder.file("bar");
       parameters.tractions.push_back(traction);
     }

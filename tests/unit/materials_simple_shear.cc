@@ -4,6 +4,7 @@
 #include <waker/mechanics/stress_update.h>
 
 #include "mapping_lattice.h"
+#include "named.h"
 #include "verification_data.h"
 #include <gtest/gtest.h>
 
@@ -44,7 +45,7 @@ namespace
     parameters.initial_strength         = std::to_string(c_i);
     parameters.residual_strength        = std::to_string(c_r);
     parameters.softening_modulus        = H_s;
-    parameters.plastic_strain_invariant = invariant;
+    parameters.plastic_strain_invariant = Named{invariant};
     Materials materials;
     materials.push_back(make_material(parameters, 9.81));
 

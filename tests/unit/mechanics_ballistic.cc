@@ -2,6 +2,7 @@
 #include <waker/simulation/realisation.h>
 
 #include "mapping_lattice.h"
+#include "named.h"
 #include "verification_data.h"
 #include <algorithm>
 #include <cmath>
@@ -27,7 +28,7 @@ namespace
     p.grid.cell_size    = 0.25;
     p.materials.resize(1);
     p.materials[0].name  = "rubber";
-    p.materials[0].model = "linear elastic";
+    p.materials[0].model = MaterialModel::linear_elastic;
     p.layers.resize(1);
     p.layers[0].name     = "block";
     p.layers[0].material = "rubber";
@@ -83,9 +84,10 @@ namespace
         e.dt           = t - before;
         e.time         = t;
         leapfrog += e.dt * (velocity + t * g);
-        const Tensor<1, dim> way = parameters.time.scheme == "explicit"
-                                     ? leapfrog
-                                     : t * velocity + 0.5 * t * t * g;
+        const Tensor<1, dim> way =
+          parameters.time.scheme == Scheme::explicit_steps
+            ? leapfrog
+            : t * velocity + 0.5 * t * t * g;
         for (unsigned int p = 0; p < state.points.n_points(); ++p)
           {
             e.place = std::max(e.place,
@@ -123,8 +125,8 @@ namespace
         Parameters p = flight(v);
         if (dim == 3)
           p.time.end_time = 0.4;
-        p.time.scheme          = scheme;
-        p.mapping.functions    = functions;
+        p.time.scheme          = Named{scheme};
+        p.mapping.functions    = Named{functions};
         p.gravity.acceleration = gravity;
         p.newton.predictor     = predictor;
         if (!predictor)
@@ -173,11 +175,13 @@ namespace
     p.fixities[0].name = "base";
     if (dim == 3)
       {
-        p.fixities[1].name = p.fixities[1].region = "back";
-        p.fixities[2].name = p.fixities[2].region = "front";
-        p.fixities[1].type = p.fixities[2].type = "roller";
+        p.fixities[1].name   = "back";
+        p.fixities[1].region = FixityRegion::back;
+        p.fixities[2].name   = "front";
+        p.fixities[2].region = FixityRegion::front;
+        p.fixities[1].type = p.fixities[2].type = FixityType::roller;
       }
-    p.time.scheme   = scheme;
+    p.time.scheme   = Named{scheme};
     p.time.end_time = 0.05;
 
     const Case<dim>  the_case(p, MPI_COMM_SELF);
@@ -236,9 +240,9 @@ TEST(Mechanics, the_ramp_lets_weight_come_linearly)
 {
   for (const std::string scheme : {"Newmark", "explicit"})
     {
-      const bool is_explicit    = scheme == "explicit";
+      const bool is_explicit    = scheme == name_of(Scheme::explicit_steps);
       Parameters p              = flight(Tensor<1, 2>());
-      p.time.scheme             = scheme;
+      p.time.scheme             = Named{scheme};
       p.time.ramp_duration      = 0.2;
       p.newton.tolerance        = 1e-13;
       p.newton.linear_tolerance = 1e-13;
@@ -272,7 +276,7 @@ TEST(Mechanics, an_explicit_step_is_a_share_of_a_cell_at_the_speed_of_waves)
 {
   // c = sqrt(E (1 - nu) / ((1 + nu) (1 - 2 nu) rho)); the block moves at 5 m/s.
   Parameters p                = flight(Tensor<1, 2>({3., 4.}));
-  p.time.scheme               = "explicit";
+  p.time.scheme               = Scheme::explicit_steps;
   p.time.courant_number       = 0.4;
   const MaterialParameters &m = p.materials[0];
   const double              E = m.youngs_modulus, nu = m.poissons_ratio;

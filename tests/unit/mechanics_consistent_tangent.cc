@@ -141,7 +141,7 @@ namespace
                       dim,
                       functions == ShapeFunctions::gimp ? "GIMP" : "linear",
                       mapping.objective_rate,
-                      mapping.volumetric_strain,
+                      name_of(mapping.volumetric_strain),
                       n_elastic,
                       n_softening,
                       n_residual,
@@ -211,7 +211,8 @@ TEST(Mechanics, consistent_tangent_is_the_derivative)
 {
   for (const auto functions : {ShapeFunctions::gimp, ShapeFunctions::linear})
     for (const bool objective : {true, false})
-      for (const char *const volumetric : {"standard", "B-bar"})
+      for (const auto volumetric :
+           {VolumetricStrain::standard, VolumetricStrain::b_bar})
         {
           MappingParameters mapping;
           mapping.objective_rate    = objective;

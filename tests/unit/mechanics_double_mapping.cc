@@ -49,7 +49,8 @@ namespace
       declare_material_variables(materials, points);
       weights.reinit(points);
       MappingParameters mapping;
-      mapping.volumetric_strain = mean ? "B-bar" : "standard";
+      mapping.volumetric_strain =
+        mean ? VolumetricStrain::b_bar : VolumetricStrain::standard;
       StressUpdate<dim> update(materials, make_small_motion<dim>(mapping));
       update.evaluate(points, weights, u, force);
       tangent.reinit(update, points);

@@ -9,6 +9,7 @@
 #include <waker/mechanics/soil.h>
 
 #include "mapping_lattice.h"
+#include "named.h"
 #include <gtest/gtest.h>
 #include <string>
 
@@ -132,7 +133,7 @@ namespace
       block.weights,
       StressUpdate<dim>(block.materials,
                         std::make_unique<LogarithmicMotion<dim>>()),
-      "consistent");
+      Tangent::consistent);
     NodalVector     u(block.grid.n_dofs()), force(u);
     Lattice::Random random(11);
     for (double &value : u)
@@ -185,7 +186,7 @@ namespace
     NodalState &nodes = block.nodes;
     set_gravity<2>(10., nodes);
     FixityParameters support;
-    support.region = held;
+    support.region = Named{held};
     const Fixities<2> fixities(block.grid, {support});
     NewtonParameters  parameters;
     parameters.tolerance = 1e-6;

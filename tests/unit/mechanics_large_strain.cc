@@ -44,7 +44,7 @@ namespace
       newton.tolerance                 = tolerance;
       newton.linear_tolerance          = 1e-6;
       newton.maximum_linear_iterations = 3000;
-      mapping.strain                   = "logarithmic";
+      mapping.strain                   = StrainMeasure::logarithmic;
       scheme                           = make_time_scheme(SchemeInput<dim>{grid,
                                                                            weights,
                                                                            materials,
@@ -96,7 +96,7 @@ namespace
   press(const unsigned int n_steps)
   {
     TimeParameters time;
-    time.scheme        = "quasi-static";
+    time.scheme        = Scheme::quasi_static;
     time.load_duration = 1.;
     Block<dim> block(time, 200. * (dim == 2 ? 1. : 2.), true);
     double     mass = 0.;

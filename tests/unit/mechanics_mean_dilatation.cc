@@ -316,9 +316,9 @@ TEST(Mechanics, mean_dilatation_turns_with_the_body)
 TEST(Mechanics, b_bar_is_not_for_logarithmic_strain)
 {
   MappingParameters mapping;
-  mapping.volumetric_strain = "B-bar";
+  mapping.volumetric_strain = VolumetricStrain::b_bar;
   mapping.check();
-  mapping.strain = "logarithmic";
+  mapping.strain = StrainMeasure::logarithmic;
   EXPECT_USER_ERROR(mapping.check(),
                     "Kinematics and mapping/Volumetric strain",
                     "not for logarithmic strain");

@@ -3,6 +3,7 @@
 #include <waker/simulation/plausibility.h>
 #include <waker/simulation/realisation.h>
 
+#include "named.h"
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -55,8 +56,9 @@ namespace
       {
         FixityParameters fixity;
         fixity.name   = region;
-        fixity.region = region;
-        fixity.type   = std::string(region) == "bottom" ? "fixed" : "roller";
+        fixity.region = Named{region};
+        fixity.type   = std::string(region) == "bottom" ? FixityType::fixed
+                                                        : FixityType::roller;
         p.fixities.push_back(fixity);
       }
     p.time.ramp_duration = 0.;

@@ -6,6 +6,7 @@
 #include <waker/mechanics/step_motion.h>
 
 #include "mapping_lattice.h"
+#include "named.h"
 #include "verification_data.h"
 #include <gtest/gtest.h>
 
@@ -93,11 +94,13 @@ namespace
       history.begin()[dof] = 0.;
 
     NewtonParameters parameters;
-    parameters.tangent          = tangent;
-    parameters.tolerance        = tangent == "consistent" ? 3e-14 : 1e-10;
-    parameters.linear_tolerance = 1e-12;
+    parameters.tangent = Named{tangent};
+    parameters.tolerance =
+      tangent == name_of(Tangent::consistent) ? 3e-14 : 1e-10;
+    parameters.linear_tolerance          = 1e-12;
     parameters.maximum_linear_iterations = 3000;
-    parameters.maximum_iterations        = tangent == "consistent" ? 20 : 400;
+    parameters.maximum_iterations =
+      tangent == name_of(Tangent::consistent) ? 20 : 400;
     NewtonSolver<dim>                   newton(grid,
                              fixities,
                              parameters,
@@ -108,7 +111,7 @@ namespace
     Soil<dim> soil(weights,
                    StressUpdate<dim>(materials,
                                      std::make_unique<StepMotion<dim>>(true)),
-                   tangent);
+                   parameters.tangent);
     soil.begin(points, nodes, 0., problem.dt);
     const NewtonReport report = newton.solve({&soil}, inertia, nodes);
     soil.accept(nodes.increment, points);
@@ -246,17 +249,19 @@ TEST(Mechanics, newton_sees_convergence_without_load)
   Materials  materials;
   materials.push_back(std::make_unique<LinearElastic>(density, 1000., 0.3));
   FixityParameters left, right;
-  left.name = left.region = "left";
-  right.name = right.region = "right";
-  left.type = right.type = "prescribed";
+  left.name    = "left";
+  left.region  = FixityRegion::left;
+  right.name   = "right";
+  right.region = FixityRegion::right;
+  left.type = right.type = FixityType::prescribed;
   left.displacement      = "0; 0";
   right.displacement     = "0.01*t; 0";
   FixityParameters middle;
-  middle.region       = "box";
+  middle.region       = FixityRegion::box;
   middle.name         = "middle";
   middle.from         = {-1., -1.};
   middle.to           = {3., 3.};
-  middle.type         = "prescribed";
+  middle.type         = FixityType::prescribed;
   middle.displacement = "free; 0";
   const Fixities<2> fixities(grid, {middle, left, right});
   Weights<2>        weights(grid, ShapeFunctions::gimp);

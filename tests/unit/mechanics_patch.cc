@@ -6,6 +6,7 @@
 #include <waker/mechanics/stress_update.h>
 
 #include "mapping_lattice.h"
+#include "named.h"
 #include "verification_data.h"
 #include <gtest/gtest.h>
 
@@ -195,14 +196,14 @@ namespace
       for (const bool upper : {false, true})
         {
           FixityParameters f;
-          f.region = "box";
+          f.region = FixityRegion::box;
           f.from.assign(dim, -h);
           f.to.assign(dim, 1.5 + h);
           if (upper)
             f.from[d] = 4.5 * h;
           else
             f.to[d] = 1.5 * h;
-          f.type         = "prescribed";
+          f.type         = FixityType::prescribed;
           f.displacement = expression[0] + "; " + expression[1];
           if (dim == 3)
             f.displacement += "; " + expression[2];
@@ -214,10 +215,11 @@ namespace
               dim == 2 ? 18u : 81u);
 
     NewtonParameters newton;
-    newton.tangent                   = tangent;
-    newton.tolerance                 = 1e-13;
-    newton.linear_tolerance          = 1e-12;
-    newton.maximum_iterations        = tangent == "consistent" ? 3 : 100;
+    newton.tangent          = Named{tangent};
+    newton.tolerance        = 1e-13;
+    newton.linear_tolerance = 1e-12;
+    newton.maximum_iterations =
+      tangent == name_of(Tangent::consistent) ? 3 : 100;
     newton.maximum_linear_iterations = 1000;
     NewtonSolver<dim> solver(grid, fixities, newton, 1.5 * std::pow(h, dim));
     NodalState        nodes(grid);
@@ -234,7 +236,7 @@ namespace
     Soil<dim> soil(weights,
                    StressUpdate<dim>(materials,
                                      std::make_unique<StepMotion<dim>>(false)),
-                   tangent);
+                   newton.tangent);
     soil.begin(points, nodes, 0., 1.);
     const NewtonReport report = solver.solve({&soil}, {}, nodes);
     EXPECT_TRUE(report.converged) << tangent << ' ' << dim;

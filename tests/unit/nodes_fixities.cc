@@ -5,6 +5,8 @@
 #include <waker/base/errors.h>
 #include <waker/nodes/fixities.h>
 
+#include "named.h"
+#include "user_errors.h"
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -25,13 +27,13 @@ namespace
 
   FixityParameters
   fixity(const std::string &region,
-         const std::string &type         = "fixed",
+         const std::string &type         = FixityType::fixed,
          const std::string &displacement = "")
   {
     FixityParameters f;
     f.name         = "base";
-    f.region       = region;
-    f.type         = type;
+    f.region       = Named{region};
+    f.type         = Named{type};
     f.displacement = displacement;
     return f;
   }
@@ -165,7 +167,7 @@ TEST(Nodes, penalty_gives_way_to_elimination)
 {
   const auto       grid   = small_grid();
   FixityParameters spring = fixity("left", "prescribed", "0.1*t; free");
-  spring.method           = "penalty";
+  spring.method           = FixityMethod::penalty;
   spring.penalty_factor   = 500.;
   const Fixities<2> fixities(grid, {fixity("bottom"), spring});
   // Two columns of 6 nodes, less the two rows of the base.
@@ -184,7 +186,7 @@ TEST(Nodes, penalty_gives_way_to_elimination)
 
   // Springs at rest close a face as well, springs that move do not.
   FixityParameters base = fixity("bottom");
-  base.method           = "penalty";
+  base.method           = FixityMethod::penalty;
   EXPECT_EQ(Fixities<2>(grid, {base, spring}).closed_faces(), 4u);
 
   std::vector<double> increments;
@@ -258,8 +260,6 @@ TEST(Nodes, bad_fixities_are_named)
   };
   EXPECT_EQ(bad(fixity("bottom")), "");
   EXPECT_EQ(bad(fixity("front")), path + "/Region"); // none in 2D
-  EXPECT_EQ(bad(fixity("below")), path + "/Region");
-  EXPECT_EQ(bad(fixity("left", "glued")), path + "/Type");
   EXPECT_EQ(bad(fixity("box", "roller")), path + "/Type");
   EXPECT_EQ(bad(fixity("box")), path + "/From");
   EXPECT_EQ(bad(fixity("left", "fixed", "t; t")), path + "/Displacement");
@@ -280,10 +280,7 @@ TEST(Nodes, bad_fixities_are_named)
     }
 
   FixityParameters f = fixity("left");
-  f.method           = "glue";
-  EXPECT_EQ(bad(f), path + "/Method");
-  f                = fixity("left");
-  f.penalty_factor = 0.;
+  f.penalty_factor   = 0.;
   EXPECT_EQ(bad(f), path + "/Penalty factor");
   f      = fixity("left");
   f.from = {0.};
@@ -294,6 +291,20 @@ TEST(Nodes, bad_fixities_are_named)
   f.from = {0., 1.1};
   f.to   = {3., 1.2}; // between two nodes
   EXPECT_EQ(bad(f), path);
+}
+
+
+TEST(Nodes, unknown_choices_of_fixities_throw)
+{
+  EXPECT_USER_ERROR(choice_named<FixityRegion>("below", "Region"),
+                    "Region",
+                    "below");
+  EXPECT_USER_ERROR(choice_named<FixityType>("glued", "Type"), "Type", "glued");
+  EXPECT_USER_ERROR(choice_named<FixityMethod>("glue", "Method"),
+                    "Method",
+                    "glue");
+  EXPECT_EQ(choice_named<FixityMethod>("penalty", "Method"),
+            FixityMethod::penalty);
 }
 
 
@@ -308,10 +319,10 @@ TEST(Nodes, fixity_parameters_are_read)
                               "set Displacement = 0.1*t; free\n"
                               "set Method = penalty\n"
                               "set Penalty factor = 10\n");
-  EXPECT_EQ(f.region, "right");
+  EXPECT_EQ(f.region, FixityRegion::right);
   EXPECT_EQ(f.from, (std::vector<double>{0., 1.}));
   EXPECT_TRUE(f.to.empty());
   EXPECT_EQ(f.displacement, "0.1*t; free");
-  EXPECT_EQ(f.method, "penalty");
+  EXPECT_EQ(f.method, FixityMethod::penalty);
   EXPECT_EQ(f.penalty_factor, 10.);
 }

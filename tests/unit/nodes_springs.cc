@@ -39,9 +39,9 @@ namespace
     {
       FixityParameters base;
       base.name           = "base";
-      base.type           = "prescribed";
+      base.type           = FixityType::prescribed;
       base.displacement   = displacement;
-      base.method         = "penalty";
+      base.method         = FixityMethod::penalty;
       base.penalty_factor = 3.;
       return base;
     }

@@ -4,6 +4,7 @@
 #include <waker/particles/removal.h>
 
 #include "mapping_lattice.h"
+#include "named.h"
 #include "user_errors.h"
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -19,7 +20,7 @@ namespace
   {
     InflowParameters parameters;
     parameters.name     = "mouth";
-    parameters.face     = face;
+    parameters.face     = Named{face};
     parameters.velocity = velocity;
     return parameters;
   }

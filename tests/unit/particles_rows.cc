@@ -28,7 +28,7 @@ namespace
        const unsigned int                  n = 2)
   {
     MaterialPointParameters parameters;
-    parameters.placement            = "rows";
+    parameters.placement            = Placement::rows;
     parameters.points_per_direction = n;
     return make_material_points(grid, layers, parameters, {"clay"}, {2.});
   }

@@ -42,8 +42,8 @@ TEST(Program, good_case_is_read)
   ASSERT_EQ(p->layers.size(), 1u);
   EXPECT_EQ(p->layers[0].polygon, "0, 0; 30, 0; 15, 5; 5, 5");
   ASSERT_EQ(p->fixities.size(), 1u);
-  EXPECT_EQ(p->fixities[0].region, "bottom");
-  EXPECT_EQ(p->water.side, "left");
+  EXPECT_EQ(p->fixities[0].region, FixityRegion::bottom);
+  EXPECT_EQ(p->water.side, WaterSide::left);
   EXPECT_EQ(p->water.level, 4.5);
   EXPECT_EQ(p->time.time_step, 0.01);
 }
@@ -184,8 +184,8 @@ TEST(Program, comma_that_may_be_decimal_is_refused)
 TEST(Program, printed_template_is_a_parameter_file)
 {
   std::ostringstream prm, markdown;
-  print_parameters(prm, "prm");
-  print_parameters(markdown, "markdown");
+  print_parameters(prm, ParameterFormat::prm);
+  print_parameters(markdown, ParameterFormat::markdown);
   EXPECT_NE(markdown.str().find("| Cell size | 0.25 |"), std::string::npos);
   EXPECT_USER_ERROR(print_parameters(prm, "yaml"), "--format", "\"yaml\"");
   // All that a user must fill in: the profile, and the places of what is not

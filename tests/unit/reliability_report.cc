@@ -143,7 +143,7 @@ TEST(Report, tables_and_json_say_the_same)
   const TemporaryFolder folder;
   const Campaign        c = make_campaign();
   AnalysisParameters    parameters;
-  parameters.risk.distribution        = "Gumbel";
+  parameters.risk.distribution        = LevelSource::gumbel;
   parameters.risk.location            = 3.;
   parameters.risk.scale               = 0.3;
   parameters.risk.allowed_probability = 0.01;
@@ -383,7 +383,7 @@ TEST(Report, level_table_is_read_before_anything_is_written)
   const TemporaryFolder folder;
   const Campaign        c = make_campaign();
   AnalysisParameters    parameters;
-  parameters.risk.distribution = "table";
+  parameters.risk.distribution = LevelSource::table;
   parameters.risk.level_table  = join_path(folder.path, "levels.csv");
   try
     {
@@ -413,7 +413,7 @@ TEST(Report, level_table_is_read_before_anything_is_written)
 TEST(Report, nothing_yearly_without_a_sweep_of_the_water_level)
 {
   AnalysisParameters parameters;
-  parameters.risk.distribution        = "Gumbel";
+  parameters.risk.distribution        = LevelSource::gumbel;
   parameters.risk.location            = 3.;
   parameters.risk.scale               = 0.3;
   parameters.risk.allowed_probability = 0.01;

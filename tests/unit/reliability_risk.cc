@@ -57,13 +57,13 @@ TEST(Risk, parameters_are_checked)
   parameters.check();
 
   AnalysisParameters wrong = parameters;
-  wrong.risk.distribution  = "Gumbel";
+  wrong.risk.distribution  = LevelSource::gumbel;
   EXPECT_USER_ERROR(wrong.check(), "Risk/Gumbel scale", "is 0");
   wrong.risk.scale = 0.2;
   wrong.check();
 
   wrong                   = parameters;
-  wrong.risk.distribution = "table";
+  wrong.risk.distribution = LevelSource::table;
   EXPECT_USER_ERROR(wrong.check(), "Risk/Level table", "is empty");
 
   wrong                       = parameters;

@@ -153,8 +153,9 @@ namespace
               bool stops = false;
               if (n % parameters.batch == 0)
                 {
-                  const bool by_flooding = parameters.initial_failures == 0 &&
-                                           parameters.target == "flooding";
+                  const bool by_flooding =
+                    parameters.initial_failures == 0 &&
+                    parameters.target == CampaignTarget::flooding;
                   const unsigned int which = by_flooding ? f : k;
                   const auto         found = rule.find(which);
                   stops =

@@ -10,7 +10,7 @@ namespace
   Trial
   judge(const FailureRecord &failure,
         const Unrest        &unrest,
-        const std::string   &reading = "displacement")
+        const FailureReading reading = FailureReading::by_displacement)
   {
     StrengthReductionParameters parameters;
     parameters.reading = reading;
@@ -33,7 +33,7 @@ TEST(Simulation, trial_that_has_not_failed_is_stable_only_at_its_end)
   FailureRecord failure;
   failure.initial_time = 3.;
   EXPECT_EQ(judge(failure, {}).result, TrialResult::stable);
-  const Trial trial = judge(failure, {}, "any");
+  const Trial trial = judge(failure, {}, FailureReading::any);
   EXPECT_EQ(trial.result, TrialResult::failed);
   EXPECT_EQ(trial.time, 3.);
   EXPECT_EQ(trial.reading, "width or height");
@@ -49,7 +49,8 @@ TEST(Simulation, trial_that_is_flooded_has_failed)
   for (const bool change : {false, true})
     {
       unrest.loads_change = unrest.moving = unrest.at_box = change;
-      for (const char *const reading : {"displacement", "any"})
+      for (const FailureReading reading :
+           {FailureReading::by_displacement, FailureReading::any})
         {
           const Trial trial = judge(failure, unrest, reading);
           EXPECT_EQ(trial.result, TrialResult::failed);
@@ -60,5 +61,5 @@ TEST(Simulation, trial_that_is_flooded_has_failed)
     }
   // The reading that saw it first says when.
   failure.initial_time = 3.;
-  EXPECT_EQ(judge(failure, unrest, "any").time, 3.);
+  EXPECT_EQ(judge(failure, unrest, FailureReading::any).time, 3.);
 }

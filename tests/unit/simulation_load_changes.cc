@@ -22,9 +22,9 @@ namespace
       Parameters &p              = bar.parameters;
       p.layers[0].initial_stress = "";
       p.fixities[1].name         = "right"; // instead of the top
-      p.fixities[1].region       = "right";
-      p.surface.method           = "contour";
-      p.water.side               = "left";
+      p.fixities[1].region       = FixityRegion::right;
+      p.surface.method           = SurfaceMethod::contour;
+      p.water.side               = WaterSide::left;
       p.water.level              = 0.25;
       p.water.rise               = rise;
       p.time.time_step           = 0.05;
@@ -139,10 +139,10 @@ TEST(Simulation, every_kind_of_load_says_when_it_changes_last)
   p.water.rise = "0";
 
   TractionParameters &traction = p.tractions[0];
-  traction.kind                = "hydrostatic";
+  traction.kind                = TractionKind::hydrostatic;
   traction.level               = "0: 1, 5: 2, 6: 2";
   EXPECT_EQ(last_change(p), 5.);
-  traction.kind  = "vector";
+  traction.kind  = TractionKind::vector;
   traction.value = "1; t*x";
   EXPECT_EQ(last_change(p), LastChange::unknown);
   p.stop.loads_constant_from = "6"; // not true at any place but x = 0
@@ -152,14 +152,14 @@ TEST(Simulation, every_kind_of_load_says_when_it_changes_last)
   p.stop.loads_constant_from = "unknown";
 
   // What was fixed at the start changes no more.
-  traction.method       = "fixed points";
+  traction.method       = TractionMethod::fixed_points;
   traction.surface_file = bar.folder.file("bar");
   EXPECT_EQ(last_change(p), LastChange::never);
 
   FixityParameters push;
   push.name         = "push";
-  push.region       = "left";
-  push.type         = "prescribed";
+  push.region       = FixityRegion::left;
+  push.type         = FixityType::prescribed;
   push.displacement = "0; free";
   p.fixities.push_back(push);
   EXPECT_EQ(last_change(p), LastChange::never);
@@ -170,7 +170,7 @@ TEST(Simulation, every_kind_of_load_says_when_it_changes_last)
             std::string::npos);
   p.fixities.back().displacement = "0.001*y*min(t, 5); free";
   EXPECT_EQ(last_change(p), 6.);
-  p.fixities.back().method = "penalty";
+  p.fixities.back().method = FixityMethod::penalty;
   EXPECT_EQ(last_change(p), 6.);
 }
 
@@ -250,7 +250,7 @@ TEST(Simulation, load_steps_rest_at_once)
 {
   BlockInWater block("0: 0, 2: 0.1");
   Parameters  &p   = block.bar.parameters;
-  p.time.scheme    = "quasi-static";
+  p.time.scheme    = Scheme::quasi_static;
   p.time.time_step = 0.5;
   p.time.end_time  = 2.;
   EXPECT_EQ(block.run(), StopReason::end_time);
@@ -267,7 +267,7 @@ TEST(Simulation, no_rest_at_a_share_of_the_weight)
   const auto run_to = [](const double end) {
     BlockInWater block("0");
     Parameters  &p         = block.bar.parameters;
-    p.time.scheme          = "quasi-static";
+    p.time.scheme          = Scheme::quasi_static;
     p.time.time_step       = 0.5;
     p.time.load_duration   = 10.;
     p.time.end_time        = end;
@@ -294,7 +294,7 @@ TEST(Simulation, no_rest_at_a_share_of_the_weight)
   // A word that is not true is refused; other schemes have no such duration.
   BlockInWater block("0");
   Parameters  &p             = block.bar.parameters;
-  p.time.scheme              = "quasi-static";
+  p.time.scheme              = Scheme::quasi_static;
   p.time.load_duration       = 10.;
   p.stop.loads_constant_from = "9";
   EXPECT_NE(complaint(p).find("Time stepping/Load duration changes"),
@@ -302,7 +302,7 @@ TEST(Simulation, no_rest_at_a_share_of_the_weight)
   p.stop.loads_constant_from = "10";
   EXPECT_EQ(complaint(p), "");
   p.stop.loads_constant_from = "unknown";
-  p.time.scheme              = "Newmark";
+  p.time.scheme              = Scheme::newmark;
   EXPECT_EQ(last_change(p), LastChange::never);
 }
 

@@ -45,14 +45,14 @@ namespace
   {
     bar.load("user surface");
     bar.parameters.tractions[0].value = "1 + 20*t";
-    bar.parameters.time.scheme        = "quasi-static";
+    bar.parameters.time.scheme        = Scheme::quasi_static;
     bar.parameters.time.time_step     = 0.05;
     bar.parameters.time.end_time      = 1.;
     bar.parameters.stop.at_rest       = false;
     FixityParameters left;
     left.name   = "left";
-    left.region = "left";
-    left.type   = "roller";
+    left.region = FixityRegion::left;
+    left.type   = FixityType::roller;
     bar.parameters.fixities.push_back(left);
   }
 } // namespace
@@ -160,11 +160,11 @@ TEST(Simulation, water_rises)
 {
   LoadedBar bar(1.);
   bar.parameters.fixities.erase(bar.parameters.fixities.begin() + 1); // top
-  bar.parameters.water.side            = "left";
+  bar.parameters.water.side            = WaterSide::left;
   bar.parameters.water.level           = 0.25;
   bar.parameters.water.rise            = "0: 0, 10: 0.5";
   bar.parameters.water.minimum_support = 0.;
-  bar.parameters.surface.method        = "contour";
+  bar.parameters.surface.method        = SurfaceMethod::contour;
   const Case<2> the_case(bar.parameters, MPI_COMM_SELF);
   Scene<2>      scene(the_case);
   EXPECT_TRUE(scene.loads_move());
@@ -187,7 +187,7 @@ TEST(Simulation, gravity_step_in_three_dimensions_under_a_detected_surface)
   p.grid.cell_size    = 0.5;
   p.materials.resize(1);
   p.materials[0].name  = "soil";
-  p.materials[0].model = "linear elastic";
+  p.materials[0].model = MaterialModel::linear_elastic;
   p.layers.resize(1);
   p.layers[0].name     = "block";
   p.layers[0].material = "soil";
@@ -195,10 +195,10 @@ TEST(Simulation, gravity_step_in_three_dimensions_under_a_detected_surface)
   p.layers[0].extent   = {0., 1.7};
   p.fixities.resize(1);
   p.fixities[0].name   = "base";
-  p.fixities[0].region = "bottom";
+  p.fixities[0].region = FixityRegion::bottom;
   p.tractions.resize(1);
   p.tractions[0].name   = "load";
-  p.tractions[0].method = "proximity field";
+  p.tractions[0].method = TractionMethod::proximity_field;
   p.tractions[0].value  = "5";
   const Case<3> the_case(p, MPI_COMM_SELF);
   EXPECT_TRUE(the_case.gravity_report.converged);

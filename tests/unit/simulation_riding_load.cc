@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/simulation/realisation.h>
 
+#include "named.h"
 #include <gtest/gtest.h>
 
 using namespace Waker;
@@ -18,7 +19,7 @@ namespace
     p.grid.cell_size    = 0.25;
     p.materials.resize(1);
     p.materials[0].name           = "soil";
-    p.materials[0].model          = "linear elastic";
+    p.materials[0].model          = MaterialModel::linear_elastic;
     p.materials[0].youngs_modulus = 200.;
     p.materials[0].poissons_ratio = 0.3;
     p.layers.resize(1);
@@ -29,20 +30,21 @@ namespace
       {
         FixityParameters fixity;
         fixity.name   = region;
-        fixity.region = region;
-        fixity.type   = std::string(region) == "bottom" ? "fixed" : "roller";
+        fixity.region = Named{region};
+        fixity.type   = std::string(region) == "bottom" ? FixityType::fixed
+                                                        : FixityType::roller;
         p.fixities.push_back(fixity);
       }
     p.gravity.acceleration   = 0.;
     p.gravity.initial_stress = false;
     p.tractions.resize(1);
     p.tractions[0].name   = "footing";
-    p.tractions[0].method = "contour";
-    p.tractions[0].kind   = kind;
+    p.tractions[0].method = TractionMethod::contour;
+    p.tractions[0].kind   = Named{kind};
     p.tractions[0].value  = value;
     p.tractions[0].from   = {0.93, 0.98};
     p.tractions[0].to     = {2.07, 1.02};
-    p.time.scheme         = "quasi-static";
+    p.time.scheme         = Scheme::quasi_static;
     p.time.time_step      = 0.1;
     p.time.end_time       = 1.;
     p.stop.at_rest        = false;
@@ -102,7 +104,7 @@ TEST(Simulation, a_footing_stays_on_a_crest_that_sinks)
 TEST(Simulation, a_footing_in_space_loses_a_crest_that_sinks)
 {
   Parameters p           = crest("vector", "0; -40*t");
-  p.tractions[0].follows = "space";
+  p.tractions[0].follows = TractionFollows::space;
   const Case<2> the_case(p, MPI_COMM_SELF);
   State<2>      state  = initial_state(the_case);
   const auto    forces = press(the_case, state, 9);

@@ -102,15 +102,15 @@ TEST(StepControl, schemes_answer_questions)
   for (const bool moves : {true, false})
     {
       time.move_points = moves;
-      time.scheme      = "Newmark";
+      time.scheme      = Scheme::newmark;
       EXPECT_TRUE(scheme_traits(time).has_inertia);
       EXPECT_TRUE(scheme_traits(time).is_implicit);
       EXPECT_TRUE(scheme_traits(time).moves_points);
-      time.scheme = "explicit";
+      time.scheme = Scheme::explicit_steps;
       EXPECT_TRUE(scheme_traits(time).has_inertia);
       EXPECT_FALSE(scheme_traits(time).is_implicit);
       EXPECT_TRUE(scheme_traits(time).moves_points);
-      time.scheme = "quasi-static";
+      time.scheme = Scheme::quasi_static;
       EXPECT_FALSE(scheme_traits(time).has_inertia);
       EXPECT_TRUE(scheme_traits(time).is_implicit);
       EXPECT_EQ(scheme_traits(time).moves_points, moves);

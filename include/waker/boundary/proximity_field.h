@@ -18,11 +18,31 @@ namespace dealii
 
 namespace Waker
 {
+  /// How the surface of the soil is found.
+  enum class SurfaceMethod
+  {
+    proximity_field,
+    contour // of the support domains
+  };
+
+  constexpr const char *
+  name_of(const SurfaceMethod choice)
+  {
+    switch (choice)
+      {
+        case SurfaceMethod::proximity_field:
+          return "proximity field";
+        case SurfaceMethod::contour:
+          return "contour";
+      }
+    return nullptr;
+  }
+
+
   /// Section "Surface".
   struct SurfaceParameters
   {
-    /// "proximity field" or "contour" (of the support domains).
-    std::string method = "proximity field";
+    SurfaceMethod method = SurfaceMethod::proximity_field;
     /// 3D: take the body as prismatic along z, as a slice in plane strain is.
     bool prismatic = false;
     /// Radius of the kernel in cells (a = b = kernel_radius h), 0.5 to 2.

@@ -14,6 +14,23 @@
 
 namespace Waker
 {
+  /// What can be found from the points alone.
+  enum class FoundSurface
+  {
+    proximity_field,
+    contour,       // of the support domains
+    surface_nodes, // between active and inactive cells
+    volume         // of the points in each cell
+  };
+
+  constexpr FoundSurface
+  found_by(const SurfaceMethod method)
+  {
+    return method == SurfaceMethod::contour ? FoundSurface::contour
+                                            : FoundSurface::proximity_field;
+  }
+
+
   /**
    * All surfaces that can be found from the points alone. Each is found when it
    * is first asked for and kept until the points move: water, tractions and
@@ -48,7 +65,7 @@ namespace Waker
     const Facets<dim> &
     facets()
     {
-      return facets(parameters.method, "Surface/Method");
+      return facets(found_by(parameters.method), "Surface/Method");
     }
 
     /// The chains as they were found last.
@@ -57,12 +74,11 @@ namespace Waker
 
     /**
      * The facets of a surface.
-     * @param method "proximity field", "contour", "surface nodes" or "volume"
      * @param path of the parameter that asks for it, for errors
      * @throws UserError if the body has no such surface
      */
     const Facets<dim> &
-    facets(const std::string &method, const std::string &path);
+    facets(const FoundSurface which, const std::string &path);
 
     /// The proximity field as last computed; empty if it was not needed.
     const std::vector<double> &
@@ -76,7 +92,7 @@ namespace Waker
     };
 
     const Surface &
-    chains(const std::string &method);
+    chains(const FoundSurface which);
 
     BackgroundGrid<dim> const *grid;
     SurfaceParameters          parameters;

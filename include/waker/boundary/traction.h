@@ -58,7 +58,7 @@ namespace Waker
     bool
     is_uniform() const
     {
-      return uniform && kind != Kind::hydrostatic;
+      return uniform && kind != TractionKind::hydrostatic;
     }
 
     /// Does it depend on the time?
@@ -78,18 +78,11 @@ namespace Waker
     bool
     is_hydrostatic() const
     {
-      return kind == Kind::hydrostatic;
+      return kind == TractionKind::hydrostatic;
     }
 
   private:
-    enum class Kind
-    {
-      vector,
-      pressure,
-      hydrostatic
-    };
-
-    Kind                         kind;
+    TractionKind                 kind;
     std::vector<Expression<dim>> expressions; // of a vector or a pressure
     TimeFunction                 level;
     double                       unit_weight;

@@ -2,6 +2,8 @@
 #ifndef waker_boundary_traction_parameters_h
 #define waker_boundary_traction_parameters_h
 
+#include <waker/mapping/shape_functions.h>
+
 #include <string>
 #include <vector>
 
@@ -14,33 +16,112 @@ namespace Waker
 {
   using namespace dealii;
 
+  /// Where a traction acts, chapter 3 of Remmerswaal 2023.
+  enum class TractionMethod
+  {
+    /// Equivalent loads of the points nearest to the surface (eqs. 3.1, 3.2),
+    /// chosen at the start or in every step.
+    fixed_points,
+    updated_points,
+    /// Between active and inactive cells (eq. 3.3).
+    surface_nodes,
+    /// The detected surface (eq. 3.4).
+    proximity_field,
+    /// A line or triangulation that moves with the material (eq. 3.4).
+    user_surface,
+    /// At the volume of the points in each cell; standard MPM, for bodies that
+    /// lie along the grid (eq. 3.5).
+    volume,
+    /// The outline of the support domains (GIMP).
+    contour
+  };
+
+  constexpr const char *
+  name_of(const TractionMethod method)
+  {
+    switch (method)
+      {
+        case TractionMethod::fixed_points:
+          return "fixed points";
+        case TractionMethod::updated_points:
+          return "updated points";
+        case TractionMethod::surface_nodes:
+          return "surface nodes";
+        case TractionMethod::proximity_field:
+          return "proximity field";
+        case TractionMethod::user_surface:
+          return "user surface";
+        case TractionMethod::volume:
+          return "volume";
+        case TractionMethod::contour:
+          return "contour";
+      }
+    return nullptr;
+  }
+
+
+  /// What a traction is.
+  enum class TractionKind
+  {
+    vector,     // in a constant direction
+    pressure,   // against the outward normal
+    hydrostatic // a pressure that grows below a level
+  };
+
+  constexpr const char *
+  name_of(const TractionKind choice)
+  {
+    switch (choice)
+      {
+        case TractionKind::vector:
+          return "vector";
+        case TractionKind::pressure:
+          return "pressure";
+        case TractionKind::hydrostatic:
+          return "hydrostatic";
+      }
+    return nullptr;
+  }
+
+
+  /// What carries the load once the soil moves.
+  enum class TractionFollows
+  {
+    automatic, // see TractionParameters::rides()
+    soil,      // the part that is selected at the start
+    space      // what is in the box and faces that way now
+  };
+
+  constexpr const char *
+  name_of(const TractionFollows choice)
+  {
+    switch (choice)
+      {
+        case TractionFollows::automatic:
+          return "automatic";
+        case TractionFollows::soil:
+          return "soil";
+        case TractionFollows::space:
+          return "space";
+      }
+    return nullptr;
+  }
+
+
   /// A traction as the user writes it: subsection "Tractions/<name>".
   struct TractionParameters
   {
     std::string name; // of the subsection
 
-    /// Where it acts, chapter 3 of Remmerswaal 2023:
-    ///   "fixed points", "updated points": equivalent loads of the points
-    ///     nearest to the surface (eqs. 3.1, 3.2), chosen at the start or in
-    ///     every step
-    ///   "surface nodes": between active and inactive cells (eq. 3.3)
-    ///   "proximity field": the detected surface (eq. 3.4)
-    ///   "user surface": a line or triangulation that moves with the material
-    ///     (eq. 3.4)
-    ///   "volume": at the volume of the points in each cell; standard MPM, for
-    ///     bodies that lie along the grid (eq. 3.5)
-    ///   "contour": the outline of the support domains (GIMP)
-    std::string method = "contour";
+    TractionMethod method = TractionMethod::contour;
     /// File of the user's surface: in 2D lines of x, y, a blank line between
-    /// chains; in 3D an STL or VTK triangulation. With "fixed points" and
-    /// "updated points" it may say which surface the loads stand for; empty:
+    /// chains; in 3D an STL or VTK triangulation. With loads on
+    /// points it may say which surface the loads stand for; empty:
     /// the layers' outline.
     std::string surface_file;
 
-    /// "vector": `value` (kPa), dim numbers or expressions of t; "pressure":
-    /// `value` (kPa) against the normal; "hydrostatic": unit_weight times the
-    /// depth below `level`.
-    std::string kind  = "pressure";
+    TractionKind kind = TractionKind::pressure;
+    /// Of a vector (kPa): dim numbers or expressions; of a pressure: one.
     std::string value = "0";
     /// Level (m): a number, an expression of t (s), or a table "t0: y0, t1: y1,
     /// ..." with straight lines between its entries.
@@ -54,13 +135,9 @@ namespace Waker
     /// degrees; empty: all.
     std::vector<double> facing;
     double              opening = 89.;
-    /// What carries the load once the soil moves. "soil": the part that is
-    /// selected at the start, wherever it goes (boundary/riding_load.h);
-    /// "space": what is in the box and faces that way now; "automatic": see
-    /// rides().
-    std::string follows = "automatic";
+    TractionFollows     follows = TractionFollows::automatic;
 
-    /// "proximity field", "contour": are holes inside a body loaded, too? They
+    /// Proximity field, contour: are holes inside a body loaded, too? They
     /// are gaps that a liquid outside does not reach.
     bool holes = false;
 
@@ -69,7 +146,7 @@ namespace Waker
     double minimum_support = 0.;
 
     /// Does the part that is loaded at the start carry the load for ever?
-    /// "automatic": if there is a box, for what is put on soil (vector and
+    /// Automatic: if there is a box, for what is put on soil (vector and
     /// pressure), on a surface that points or vertices can carry. A liquid
     /// stays where it stands, and the faces of cells do not move.
     bool
@@ -80,7 +157,7 @@ namespace Waker
 
     /// @throws UserError "Tractions/<name>/..."
     void
-    check(const unsigned int dim, const std::string &functions) const;
+    check(const unsigned int dim, const ShapeFunctions functions) const;
   };
 } // namespace Waker
 

@@ -13,6 +13,27 @@ namespace Waker
 {
   using namespace dealii;
 
+  /// How a wall holds the soil.
+  enum class WallType
+  {
+    rough, // it sticks
+    smooth // it may slide along the wall
+  };
+
+  constexpr const char *
+  name_of(const WallType choice)
+  {
+    switch (choice)
+      {
+        case WallType::rough:
+          return "rough";
+        case WallType::smooth:
+          return "smooth";
+      }
+    return nullptr;
+  }
+
+
   /// A wall or rigid footing that is not on the grid: subsection
   /// "Walls/<name>".
   struct WallParameters
@@ -22,8 +43,7 @@ namespace Waker
     /// 3D: corners of a flat polygon, the soil on the side from which they run
     /// anticlockwise.
     std::string line;
-    /// "rough": the soil sticks; "smooth": it may slide along the wall.
-    std::string type = "rough";
+    WallType    type = WallType::rough;
     /// Displacement of the wall since t = 0 (m): per component a number or an
     /// expression of t (s), "0.1*t; 0". Empty: at rest.
     std::string displacement;

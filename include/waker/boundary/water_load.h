@@ -20,11 +20,34 @@ namespace dealii
 
 namespace Waker
 {
+  /// The side of the dyke on which the water stands.
+  enum class WaterSide
+  {
+    none,
+    left,
+    right
+  };
+
+  constexpr const char *
+  name_of(const WaterSide choice)
+  {
+    switch (choice)
+      {
+        case WaterSide::none:
+          return "none";
+        case WaterSide::left:
+          return "left";
+        case WaterSide::right:
+          return "right";
+      }
+    return nullptr;
+  }
+
+
   /// Section "Water".
   struct WaterParameters
   {
-    /// "none", "left" or "right": on which side the water stands.
-    std::string side = "none";
+    WaterSide side = WaterSide::none;
     /// Level (m) on the vertical axis at which the dyke's width is measured,
     /// and to which `rise` is added. NaN: none, allowed without water.
     double level = std::numeric_limits<double>::quiet_NaN();
@@ -40,7 +63,7 @@ namespace Waker
     int
     inner_direction() const
     {
-      return side == "right" ? -1 : 1;
+      return side == WaterSide::right ? -1 : 1;
     }
 
     /// What the user wrote for `level`: read by the parameter handler, judged

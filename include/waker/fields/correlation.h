@@ -5,7 +5,6 @@
 #include <waker/fields/lattice.h>
 
 #include <array>
-#include <string>
 #include <vector>
 
 namespace Waker
@@ -14,9 +13,9 @@ namespace Waker
    * Correlation of a stationary field between two points, and between the
    * averages of two cells. With the scales of fluctuation theta_d (m) and the
    * lag tau (m):
-   *   "Markov"            exp(-sqrt(sum (2 tau_d / theta_d)^2)), ellipsoidal
-   *   "separable Markov"  exp(-sum |2 tau_d / theta_d|)
-   *   "Gaussian"          exp(-pi sum (tau_d / theta_d)^2)
+   *   Markov            exp(-sqrt(sum (2 tau_d / theta_d)^2)), ellipsoidal
+   *   separable Markov  exp(-sum |2 tau_d / theta_d|)
+   *   Gaussian          exp(-pi sum (tau_d / theta_d)^2)
    * (Vanmarcke 1983; Fenton & Griffiths 2008, functions dlavx2, dlsep2, dlspx2
    * of Fenton.)
    */
@@ -32,10 +31,6 @@ namespace Waker
 
     /// @param scales of fluctuation (m), > 0, one per direction
     Correlation(const Function function, const std::vector<double> &scales);
-
-    /// Of the name in a parameter file.
-    static Function
-    function(const std::string &name);
 
     unsigned int
     dim() const
@@ -70,9 +65,33 @@ namespace Waker
           const std::array<unsigned int, 3> &n) const;
 
   private:
+    /// The factor of one direction in the average of two cells `lag` apart;
+    /// of the functions that are a product of such factors.
+    double
+    line(const double cell_size, const unsigned int d, const int lag) const;
+
+    /// Is it such a product?
+    bool
+    is_product() const;
+
     Function            kind;
     std::vector<double> theta;
   };
+
+  constexpr const char *
+  name_of(const Correlation::Function function)
+  {
+    switch (function)
+      {
+        case Correlation::Function::markov:
+          return "Markov";
+        case Correlation::Function::separable_markov:
+          return "separable Markov";
+        case Correlation::Function::gaussian:
+          return "Gaussian";
+      }
+    return nullptr;
+  }
 } // namespace Waker
 
 #endif

@@ -10,6 +10,30 @@
 
 namespace Waker
 {
+  /// How a field is made of white noise.
+  enum class Generator
+  {
+    circulant_embedding,
+    local_average_subdivision,
+    cholesky
+  };
+
+  constexpr const char *
+  name_of(const Generator choice)
+  {
+    switch (choice)
+      {
+        case Generator::circulant_embedding:
+          return "circulant embedding";
+        case Generator::local_average_subdivision:
+          return "local average subdivision";
+        case Generator::cholesky:
+          return "Cholesky";
+      }
+    return nullptr;
+  }
+
+
   /**
    * Turns white noise into the cell averages of a stationary Gaussian field of
    * zero mean and unit *point* variance. Linear in the noise, and nothing but a
@@ -36,13 +60,11 @@ namespace Waker
   };
 
   /**
-   * @param method "circulant embedding", "local average subdivision" or
-   *        "Cholesky"
    * @param path "Random fields/strength", for errors
    * @throws UserError the lattice or correlation is nothing for this method
    */
   std::unique_ptr<FieldGenerator>
-  make_field_generator(const std::string  &method,
+  make_field_generator(const Generator     method,
                        const FieldLattice &lattice,
                        const Correlation  &correlation,
                        const std::string  &path);

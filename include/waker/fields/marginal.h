@@ -10,11 +10,11 @@ namespace Waker
   /**
    * The distribution of a property at a place, as a monotone function of a
    * standard normal z (translation field).
-   *   "normal"            mean + sd z, cut off (censored) at the limits
-   *   "lognormal"         with this mean and sd, then cut off likewise
-   *   "truncated normal"  normal(mean, sd) under the condition of the limits:
-   *                       mean and sd are those before the truncation
-   *   "beta"              on [minimum, maximum] with this mean and sd
+   *   normal            mean + sd z, cut off (censored) at the limits
+   *   lognormal         with this mean and sd, then cut off likewise
+   *   truncated normal  normal(mean, sd) under the condition of the limits:
+   *                     mean and sd are those before the truncation
+   *   beta              on [minimum, maximum] with this mean and sd
    *
    * If the spread is that of points, and z that of their averages over cells,
    * z has a variance below 1. The median of the lognormal distribution is then
@@ -31,10 +31,6 @@ namespace Waker
       truncated_normal,
       beta
     };
-
-    /// Of the name in a parameter file.
-    static Kind
-    kind(const std::string &name);
 
     Marginal(const Kind   kind,
              const double minimum = 0.,
@@ -77,6 +73,23 @@ namespace Waker
     double minimum;
     double maximum;
   };
+
+  constexpr const char *
+  name_of(const Marginal::Kind kind)
+  {
+    switch (kind)
+      {
+        case Marginal::Kind::normal:
+          return "normal";
+        case Marginal::Kind::lognormal:
+          return "lognormal";
+        case Marginal::Kind::truncated_normal:
+          return "truncated normal";
+        case Marginal::Kind::beta:
+          return "beta";
+      }
+    return nullptr;
+  }
 } // namespace Waker
 
 #endif

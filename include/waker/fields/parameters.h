@@ -2,6 +2,10 @@
 #ifndef waker_fields_parameters_h
 #define waker_fields_parameters_h
 
+#include <waker/fields/correlation.h>
+#include <waker/fields/field_generator.h>
+#include <waker/fields/marginal.h>
+
 #include <string>
 #include <vector>
 
@@ -14,31 +18,72 @@ namespace Waker
 {
   using namespace dealii;
 
+  /// What may vary.
+  enum class FieldProperty
+  {
+    strength,
+    residual_strength
+  };
+
+  constexpr const char *
+  name_of(const FieldProperty choice)
+  {
+    switch (choice)
+      {
+        case FieldProperty::strength:
+          return "undrained shear strength";
+        case FieldProperty::residual_strength:
+          return "residual strength";
+      }
+    return nullptr;
+  }
+
+
+  /// What the spread of a field belongs to.
+  enum class FieldStatistics
+  {
+    cells, // averages
+    points
+  };
+
+  constexpr const char *
+  name_of(const FieldStatistics choice)
+  {
+    switch (choice)
+      {
+        case FieldStatistics::cells:
+          return "cells";
+        case FieldStatistics::points:
+          return "points";
+      }
+    return nullptr;
+  }
+
+
   /// A property that varies randomly: subsection "Random fields/<name>".
   struct RandomFieldParameters
   {
     std::string name; // of the subsection
 
-    std::string material; // a name of "Materials/Names"; empty: the only one
-    std::string property = "undrained shear strength"; // of the material
+    std::string   material; // a name of "Materials/Names"; empty: the only one
+    FieldProperty property = FieldProperty::strength; // of the material
     /// Expression of the place (PlaceExpression); empty: the material's own
     /// value.
     std::string mean;
     double      coefficient_of_variation = 0.2; // of the mean at that place
     /// Unless "0": instead of the former (kPa), likewise an expression.
-    std::string standard_deviation = "0";
-    /// What the spread belongs to: "cells" (averages) or "points".
-    std::string statistics   = "cells";
-    std::string distribution = "normal";
-    double      minimum      = 0.;
-    double      maximum      = 1e300;
-    std::string correlation  = "Markov";
+    std::string           standard_deviation = "0";
+    FieldStatistics       statistics         = FieldStatistics::cells;
+    Marginal::Kind        distribution       = Marginal::Kind::normal;
+    double                minimum            = 0.;
+    double                maximum            = 1e300;
+    Correlation::Function correlation        = Correlation::Function::markov;
     /// Scales of fluctuation (m), horizontal first, then vertical; in 3D x, y,
     /// z, where y is vertical.
     std::vector<double> scales = {24., 0.5};
     /// Size of the field's cells (m); empty: of the points' support domains.
     std::vector<double> cell_size;
-    std::string         generator = "circulant embedding";
+    Generator           generator = Generator::circulant_embedding;
     /// File with measured values, "x, y[, z], value" a line; empty: none.
     std::string measurements;
     double      measurement_error = 0.; // standard deviation, in normal scores

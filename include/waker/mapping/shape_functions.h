@@ -9,9 +9,22 @@ namespace Waker
   /// The functions that tie material points to nodes.
   enum class ShapeFunctions
   {
-    linear, // standard MPM: the nodes' hat functions at the point
-    gimp    // uGIMP: their average over the point's support domain
+    gimp,  // uGIMP: averages of hat functions over the point's support domain
+    linear // standard MPM: the nodes' hat functions at the point
   };
+
+  constexpr const char *
+  name_of(const ShapeFunctions functions)
+  {
+    switch (functions)
+      {
+        case ShapeFunctions::gimp:
+          return "GIMP";
+        case ShapeFunctions::linear:
+          return "linear";
+      }
+    return nullptr;
+  }
 
   /**
    * One direction of the functions of one point: the values and gradients of

@@ -68,6 +68,19 @@ namespace Waker
     double       plastic_strain_factor; // invariant / equivalent plastic strain
     double       softening; // dc / d(equivalent plastic strain), kPa
   };
+
+  constexpr const char *
+  name_of(const VonMisesSoftening::Invariant invariant)
+  {
+    switch (invariant)
+      {
+        case VonMisesSoftening::Invariant::equivalent:
+          return "equivalent";
+        case VonMisesSoftening::Invariant::half:
+          return "half";
+      }
+    return nullptr;
+  }
 } // namespace Waker
 
 #endif

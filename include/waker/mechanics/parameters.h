@@ -2,6 +2,8 @@
 #ifndef waker_mechanics_parameters_h
 #define waker_mechanics_parameters_h
 
+#include <waker/mapping/shape_functions.h>
+
 #include <string>
 
 namespace dealii
@@ -13,12 +15,36 @@ namespace Waker
 {
   using namespace dealii;
 
+  /// Of the time steps: mechanics/time_scheme.h.
+  enum class Scheme
+  {
+    newmark,
+    explicit_steps,
+    quasi_static
+  };
+
+  constexpr const char *
+  name_of(const Scheme choice)
+  {
+    switch (choice)
+      {
+        case Scheme::newmark:
+          return "Newmark";
+        case Scheme::explicit_steps:
+          return "explicit";
+        case Scheme::quasi_static:
+          return "quasi-static";
+      }
+    return nullptr;
+  }
+
+
   /// Section "Time stepping".
   struct TimeParameters
   {
-    std::string scheme    = "Newmark"; // or "explicit", "quasi-static"
-    double      time_step = 0.01;      // s (Newmark)
-    double      end_time  = 40.;       // s
+    Scheme scheme    = Scheme::newmark;
+    double time_step = 0.01; // s (Newmark)
+    double end_time  = 40.;  // s
     /// The unbalanced force grows from 0 to full over this time (s); 0: off.
     double ramp_duration = 1.;
     /// A step that does not converge is halved at most this often.
@@ -41,10 +67,31 @@ namespace Waker
     check() const;
   };
 
+  /// Of Newton's method.
+  enum class Tangent
+  {
+    consistent,
+    double_mapping
+  };
+
+  constexpr const char *
+  name_of(const Tangent choice)
+  {
+    switch (choice)
+      {
+        case Tangent::consistent:
+          return "consistent";
+        case Tangent::double_mapping:
+          return "double mapping";
+      }
+    return nullptr;
+  }
+
+
   /// Section "Newton".
   struct NewtonParameters
   {
-    std::string tangent = "consistent"; // or "double mapping"
+    Tangent tangent = Tangent::consistent;
     /// Converged when the mass-weighted norm of the residual is below this
     /// share of that of the external, internal and inertial forces together
     /// (see mechanics/newton.h).
@@ -88,23 +135,81 @@ namespace Waker
     check() const;
   };
 
+  /// What a law's strain is.
+  enum class StrainMeasure
+  {
+    step,       // the strain increment of each step
+    logarithmic // Hencky strain of the elastic deformation since
+  };
+
+  constexpr const char *
+  name_of(const StrainMeasure choice)
+  {
+    switch (choice)
+      {
+        case StrainMeasure::step:
+          return "step";
+        case StrainMeasure::logarithmic:
+          return "logarithmic";
+      }
+    return nullptr;
+  }
+
+
+  /// Of GIMP.
+  enum class SupportDomains
+  {
+    constant,
+    stretched // with the deformation (cpGIMP; Charlton et al. 2017)
+  };
+
+  constexpr const char *
+  name_of(const SupportDomains choice)
+  {
+    switch (choice)
+      {
+        case SupportDomains::constant:
+          return "constant";
+        case SupportDomains::stretched:
+          return "stretched";
+      }
+    return nullptr;
+  }
+
+
+  /// Where the dilatation of a point comes from.
+  enum class VolumetricStrain
+  {
+    standard, // the point
+    b_bar     // the cells' centres
+  };
+
+  constexpr const char *
+  name_of(const VolumetricStrain choice)
+  {
+    switch (choice)
+      {
+        case VolumetricStrain::standard:
+          return "standard";
+        case VolumetricStrain::b_bar:
+          return "B-bar";
+      }
+    return nullptr;
+  }
+
+
   /// Section "Kinematics and mapping".
   struct MappingParameters
   {
-    std::string functions = "GIMP"; // or "linear"
+    ShapeFunctions functions = ShapeFunctions::gimp;
     /// Strain at mid-step, stress turned with the body (Hughes & Winget
     /// 1980); off: small strain, no rotation.
     bool objective_rate = true;
-    /// "step": the strain increment of each step (above); "logarithmic": Hencky
-    /// strain of the elastic deformation since the start, with the internal
-    /// force in the deformed configuration.
-    std::string strain = "step";
-    /// "standard", or "B-bar": the dilatation of the cells' centres (see
-    /// MeanDilatationMotion).
-    std::string volumetric_strain = "standard";
-    /// Support domains: "constant", or "stretched" with the points' deformation
-    /// (cpGIMP; Charlton et al. 2017).
-    std::string domains = "constant";
+    /// Logarithmic: with the internal force in the deformed configuration.
+    StrainMeasure  strain  = StrainMeasure::step;
+    SupportDomains domains = SupportDomains::constant;
+    /// B-bar: see MeanDilatationMotion.
+    VolumetricStrain volumetric_strain = VolumetricStrain::standard;
 
     void
     add_parameters(ParameterHandler &prm);

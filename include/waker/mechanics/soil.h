@@ -4,11 +4,11 @@
 
 #include <waker/mechanics/consistent_tangent.h>
 #include <waker/mechanics/double_mapped_tangent.h>
+#include <waker/mechanics/parameters.h>
 #include <waker/mechanics/stress_update.h>
 #include <waker/nodes/reached_nodes.h>
 #include <waker/nodes/resistance.h>
 
-#include <string>
 #include <variant>
 
 namespace Waker
@@ -26,7 +26,7 @@ namespace Waker
     /// @param tangent NewtonParameters::tangent
     Soil(const Weights<dim> &weights,
          StressUpdate<dim>   stress_update,
-         const std::string  &tangent);
+         const Tangent       tangent);
 
     typename Resistance<dim>::Role
     role() const override
@@ -73,7 +73,7 @@ namespace Waker
     }
 
   private:
-    using Tangent =
+    using TangentOperator =
       std::variant<ConsistentTangent<dim>, DoubleMappedTangent<dim>>;
 
     const Operator &
@@ -82,7 +82,7 @@ namespace Waker
     const Weights<dim>        *weights;
     StressUpdate<dim>          stress_update;
     StressReport               stress_report;
-    Tangent                    tangent;
+    TangentOperator            tangent;
     ReachedNodes               reached;
     const MaterialPoints<dim> *points = nullptr; // of the step
     mutable NodalVector        work_space;       // force or product of the soil

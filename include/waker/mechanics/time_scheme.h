@@ -156,7 +156,7 @@ namespace Waker
   std::unique_ptr<TimeScheme<dim>>
   make_quasi_static(const SchemeInput<dim> &input);
 
-  /// By name: "Newmark", "explicit" or "quasi-static".
+  /// The one that `input.time` asks for.
   template <int dim>
   std::unique_ptr<TimeScheme<dim>>
   make_time_scheme(const SchemeInput<dim> &input);

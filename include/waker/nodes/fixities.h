@@ -3,6 +3,7 @@
 #define waker_nodes_fixities_h
 
 #include <waker/grid/background_grid.h>
+#include <waker/grid/box_face.h>
 
 #include <memory>
 #include <string>
@@ -15,6 +16,93 @@ namespace dealii
 
 namespace Waker
 {
+  /// The nodes of a condition: a face of the grid's box, or those in a box.
+  enum class FixityRegion
+  {
+    left,
+    right,
+    bottom,
+    top,
+    back,
+    front,
+    box
+  };
+
+  constexpr const char *
+  name_of(const FixityRegion choice)
+  {
+    switch (choice)
+      {
+        case FixityRegion::left:
+          return "left";
+        case FixityRegion::right:
+          return "right";
+        case FixityRegion::bottom:
+          return "bottom";
+        case FixityRegion::top:
+          return "top";
+        case FixityRegion::back:
+          return "back";
+        case FixityRegion::front:
+          return "front";
+        case FixityRegion::box:
+          return "box";
+      }
+    return nullptr;
+  }
+
+  constexpr FixityRegion
+  region_of(const BoxFace face)
+  {
+    return static_cast<FixityRegion>(face); // the faces come first
+  }
+
+
+  /// What a condition holds.
+  enum class FixityType
+  {
+    fixed,     // all components
+    roller,    // the one normal to the face
+    prescribed // those with a displacement
+  };
+
+  constexpr const char *
+  name_of(const FixityType choice)
+  {
+    switch (choice)
+      {
+        case FixityType::fixed:
+          return "fixed";
+        case FixityType::roller:
+          return "roller";
+        case FixityType::prescribed:
+          return "prescribed";
+      }
+    return nullptr;
+  }
+
+
+  /// How a condition holds.
+  enum class FixityMethod
+  {
+    elimination, // removes the equations
+    penalty      // adds a stiff spring
+  };
+
+  constexpr const char *
+  name_of(const FixityMethod choice)
+  {
+    switch (choice)
+      {
+        case FixityMethod::elimination:
+          return "elimination";
+        case FixityMethod::penalty:
+          return "penalty";
+      }
+    return nullptr;
+  }
+
+
   /**
    * One boundary condition as the user writes it: a set of nodes, the
    * components it holds, and how. Subsection "Boundary conditions/<name>".
@@ -23,23 +111,19 @@ namespace Waker
   {
     std::string name; // of the subsection
 
-    /// "left", "right", "bottom", "top", "back", "front" (faces of the grid's
-    /// box; y is vertical, back is the lower and front the upper z) or "box". A
-    /// face also holds the margin beyond it.
-    std::string region = "bottom";
+    /// A face also holds the margin beyond it.
+    FixityRegion region = FixityRegion::bottom;
     /// Limits the region: nodes outside [from, to] (m) are left free. A face is
-    /// limited along its own directions only, not in the normal one. For "box"
-    /// it is the region, and both are needed. Empty: no limit.
+    /// limited along its own directions only, not in the normal one. For a
+    /// box it is the region, and both are needed. Empty: no limit.
     std::vector<double> from;
     std::vector<double> to;
-    /// "fixed": all components; "roller": the one normal to the face (not for
-    /// "box"); "prescribed": the components and displacements below.
-    std::string type = "fixed";
-    /// For "prescribed": per component an expression (m) of the node's place x,
+    /// Roller: not for a box.
+    FixityType type = FixityType::fixed;
+    /// If prescribed: per component an expression (m) of the node's place x,
     /// y, z (m) and of t (s), or "free". For example "0.1*t; free".
-    std::string displacement;
-    /// "elimination" removes the equations, "penalty" adds a stiff spring.
-    std::string method = "elimination";
+    std::string  displacement;
+    FixityMethod method = FixityMethod::elimination;
     /// Spring stiffness of a node, as a multiple of (K + 4G/3) h^(dim-2)
     /// (kPa m^(dim-2)).
     double penalty_factor = 1e4;

@@ -20,11 +20,28 @@ namespace Waker
   /// What a failure is read off; `any`: by_geometry or by_displacement.
   enum class FailureReading
   {
-    any,
     by_displacement,
     by_geometry,
-    by_width
+    by_width,
+    any
   };
+
+  constexpr const char *
+  name_of(const FailureReading reading)
+  {
+    switch (reading)
+      {
+        case FailureReading::by_displacement:
+          return "displacement";
+        case FailureReading::by_geometry:
+          return "width or height";
+        case FailureReading::by_width:
+          return "width";
+        case FailureReading::any:
+          return "any";
+      }
+    return nullptr;
+  }
 
   /// A slide of one slope, as it was when it was seen.
   struct SlopeSlide

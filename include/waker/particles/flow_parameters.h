@@ -2,6 +2,8 @@
 #ifndef waker_particles_flow_parameters_h
 #define waker_particles_flow_parameters_h
 
+#include <waker/grid/box_face.h>
+
 #include <string>
 #include <vector>
 
@@ -33,9 +35,9 @@ namespace Waker
   /// Material that enters: subsection "Inflow/<name>".
   struct InflowParameters
   {
-    std::string name;          // of the subsection
-    std::string face = "left"; // of the grid's box
-    std::string material;      // one of Materials/Names
+    std::string name; // of the subsection
+    BoxFace     face = BoxFace::left;
+    std::string material; // one of Materials/Names
     /// The opening: from .. to (m), along the face's own directions only;
     /// empty: the whole face.
     std::vector<double> from;
@@ -47,7 +49,10 @@ namespace Waker
 
     /// Number of the face: 2d lower, 2d + 1 upper face in direction d.
     unsigned int
-    face_number() const;
+    face_number() const
+    {
+      return static_cast<unsigned int>(face);
+    }
 
     /// What needs no other section: face, lengths, order, velocity.
     /// @throws UserError "Inflow/<name>/..."

@@ -56,6 +56,27 @@ namespace Waker
     stress_components(const unsigned int dim) const;
   };
 
+  /// Of the points in a layer.
+  enum class Placement
+  {
+    sub_cells, // of the grid
+    rows       // rectangles that fill rows of sub-cells
+  };
+
+  constexpr const char *
+  name_of(const Placement choice)
+  {
+    switch (choice)
+      {
+        case Placement::sub_cells:
+          return "sub-cells";
+        case Placement::rows:
+          return "rows";
+      }
+    return nullptr;
+  }
+
+
   /// Section "Material points".
   struct MaterialPointParameters
   {
@@ -65,10 +86,10 @@ namespace Waker
     /// fullest neighbour of the same layer: its volume and first moment are
     /// kept, its point is not made. 0 to 0.5.
     double minimum_cut = 0.25;
-    /// "sub-cells" of the grid, or "rows": rectangles that fill each row of
-    /// sub-cells between the edges of the layer, whose slopes cut the middle of
-    /// the outermost ones (section 3.5 of Remmerswaal 2023).
-    std::string placement = "sub-cells";
+    /// Rows: rectangles that fill each row of sub-cells between the edges of
+    /// the layer, whose slopes cut the middle of the outermost ones (section
+    /// 3.5 of Remmerswaal 2023).
+    Placement placement = Placement::sub_cells;
 
     void
     add_parameters(ParameterHandler &prm);

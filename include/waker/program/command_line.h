@@ -2,6 +2,8 @@
 #ifndef waker_program_command_line_h
 #define waker_program_command_line_h
 
+#include <waker/program/parameter_printer.h>
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -40,8 +42,8 @@ namespace Waker
     std::uint64_t last     = -1;
     bool          all      = false; // of `merge`: surplus realisations, too
 
-    std::string format = "prm"; // of `parameters`
-    std::string text;           // to print for `none`
+    ParameterFormat format = ParameterFormat::prm; // of `parameters`
+    std::string     text;                          // to print for `none`
   };
 
   /// @throws UserError for anything that cannot be understood

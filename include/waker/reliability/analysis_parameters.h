@@ -28,11 +28,34 @@ namespace Waker
     check() const;
   };
 
+  /// What is known of the yearly maximum of the water level.
+  enum class LevelSource
+  {
+    none,
+    gumbel, // a distribution
+    table   // a file
+  };
+
+  constexpr const char *
+  name_of(const LevelSource choice)
+  {
+    switch (choice)
+      {
+        case LevelSource::none:
+          return "none";
+        case LevelSource::gumbel:
+          return "Gumbel";
+        case LevelSource::table:
+          return "table";
+      }
+    return nullptr;
+  }
+
+
   /// Section "Risk" (chapter 4 of Remmerswaal 2023). Zero: not known.
   struct RiskParameters
   {
-    /// Of the yearly maximum of the water level: "none", "Gumbel" or "table".
-    std::string distribution = "none";
+    LevelSource distribution = LevelSource::none;
     double      location     = 0.; // m, of Gumbel's
     double      scale        = 0.; // m
     std::string level_table;       // file of levels and exceedance

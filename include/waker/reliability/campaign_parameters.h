@@ -15,6 +15,27 @@ namespace Waker
 {
   using namespace dealii;
 
+  /// The probability that a campaign's stop rules look at.
+  enum class CampaignTarget
+  {
+    flooding,
+    initial_failure
+  };
+
+  constexpr const char *
+  name_of(const CampaignTarget choice)
+  {
+    switch (choice)
+      {
+        case CampaignTarget::flooding:
+          return "flooding";
+        case CampaignTarget::initial_failure:
+          return "initial failure";
+      }
+    return nullptr;
+  }
+
+
   /// Section "Campaign".
   struct CampaignParameters
   {
@@ -28,11 +49,11 @@ namespace Waker
     unsigned int attempts = 3;
 
     // When to stop before N; 0: not for this reason.
-    std::string   target                   = "flooding"; // or initial failure
-    double        coefficient_of_variation = 0.;
-    double        interval_width           = 0.;
-    std::uint64_t initial_failures         = 0;
-    std::uint64_t minimum_realisations     = 0;
+    CampaignTarget target                   = CampaignTarget::flooding;
+    double         coefficient_of_variation = 0.;
+    double         interval_width           = 0.;
+    std::uint64_t  initial_failures         = 0;
+    std::uint64_t  minimum_realisations     = 0;
 
     void
     add_parameters(ParameterHandler &prm);

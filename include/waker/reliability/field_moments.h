@@ -13,8 +13,6 @@
 
 namespace Waker
 {
-  extern const char *const residual_strength; // a property's name
-
   /// Mean and standard deviation (kPa) of a random field, anywhere in the soil.
   template <int dim>
   class FieldMoments

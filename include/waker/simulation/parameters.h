@@ -39,14 +39,10 @@ namespace Waker
   /// Section "Strength reduction".
   struct StrengthReductionParameters
   {
-    double lower_factor = 0.5;  // known or hoped to be stable
-    double upper_factor = 3.;   // known or hoped to fail
-    double tolerance    = 0.01; // width of the final bracket
-    /// "displacement", "width or height", "width" or "any".
-    std::string reading = "displacement";
-
-    FailureReading
-    failure_reading() const;
+    double         lower_factor = 0.5;  // known or hoped to be stable
+    double         upper_factor = 3.;   // known or hoped to fail
+    double         tolerance    = 0.01; // width of the final bracket
+    FailureReading reading      = FailureReading::by_displacement;
 
     void
     add_parameters(ParameterHandler &prm);

@@ -2,6 +2,7 @@
 #ifndef waker_simulation_trial_table_h
 #define waker_simulation_trial_table_h
 
+#include <waker/control/outcome.h>
 #include <waker/simulation/factor_search.h>
 
 #include <map>
@@ -18,6 +19,12 @@ namespace Waker
     std::string  reading;     // that has seen the failure; empty: none
     std::string  slope;       // that slid; empty: not known
     unsigned int attempts = 1;
+
+    bool
+    failed_numerically() const
+    {
+      return outcome == to_string(Outcome::numerical_failure);
+    }
   };
 
 
