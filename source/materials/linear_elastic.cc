@@ -1,8 +1,39 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/parameter_handler.h>
+
+#include <waker/base/checks.h>
+#include <waker/base/errors.h>
+#include <waker/base/numbers.h>
 #include <waker/materials/linear_elastic.h>
 
 namespace Waker
 {
+  void
+  LinearElasticParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Young's modulus",
+                      youngs_modulus,
+                      "Stiffness (kPa), above 0.",
+                      Patterns::Double(0.));
+    prm.add_parameter("Poisson's ratio",
+                      poissons_ratio,
+                      "Ratio of lateral to axial strain (-), above -1 and "
+                      "below 0.5.",
+                      Patterns::Double(-1., 0.5));
+  }
+
+
+  void
+  LinearElasticParameters::check(const std::string &path) const
+  {
+    require_positive(path + "Young's modulus", youngs_modulus, "kPa");
+    if (!(poissons_ratio > -1. && poissons_ratio < 0.5))
+      throw UserError(path + "Poisson's ratio",
+                      "is " + in_digits(poissons_ratio),
+                      "above -1 and below 0.5 (an incompressible soil: 0.49)");
+  }
+
+
   LinearElastic::LinearElastic(const double density,
                                const double youngs_modulus,
                                const double poissons_ratio)

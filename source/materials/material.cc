@@ -25,6 +25,33 @@ namespace Waker
   } // namespace
 
 
+  bool
+  is_strength(const MaterialVariable::Role role)
+  {
+    switch (role)
+      {
+        case MaterialVariable::Role::strength:
+        case MaterialVariable::Role::residual_strength:
+          return true;
+        case MaterialVariable::Role::stiffness:
+        case MaterialVariable::Role::history:
+          return false;
+      }
+    AssertThrow(false, ExcInternalError());
+    return false;
+  }
+
+
+  std::optional<MaterialVariable>
+  variable_of(const Material &material, const MaterialVariable::Role role)
+  {
+    for (const MaterialVariable &variable : material.variables())
+      if (variable.role == role)
+        return variable;
+    return {};
+  }
+
+
   std::optional<std::pair<unsigned int, std::string>>
   Material::initial_problem(const std::vector<double> &variables) const
   {

@@ -36,13 +36,14 @@ namespace Waker
   VonMisesSoftening::variables() const
   {
     using Role = MaterialVariable::Role;
-    return {{"undrained shear strength",
-             "kPa",
-             initial_strength,
-             Role::strength,
-             "initial_strength"},
-            {"residual strength", "kPa", residual_strength, Role::strength},
-            {"plastic strain", "-", 0., Role::history}};
+    return {
+      {"undrained shear strength",
+       "kPa",
+       initial_strength,
+       Role::strength,
+       "initial_strength"},
+      {"residual strength", "kPa", residual_strength, Role::residual_strength},
+      {"plastic strain", "-", 0., Role::history}};
   }
 
 

@@ -6,6 +6,21 @@
 
 namespace Waker
 {
+  MaterialVariable::Role
+  role_of(const FieldProperty property)
+  {
+    switch (property)
+      {
+        case FieldProperty::strength:
+          return MaterialVariable::Role::strength;
+        case FieldProperty::residual_strength:
+          return MaterialVariable::Role::residual_strength;
+      }
+    AssertThrow(false, ExcInternalError());
+    return MaterialVariable::Role::history;
+  }
+
+
   namespace
   {
     /// The number of the property among its material's variables.
@@ -18,7 +33,7 @@ namespace Waker
       const std::vector<MaterialVariable> variables =
         the_case.materials[material]->variables();
       for (unsigned int v = 0; v < variables.size(); ++v)
-        if (variables[v].name == name_of(field.property))
+        if (variables[v].role == role_of(field.property))
           return v;
       throw UserError("Random fields/" + field.name + "/Property",
                       "is \"" + std::string(name_of(field.property)) +
@@ -39,6 +54,7 @@ namespace Waker
     , own(the_case.materials, the_case.depths)
     , material(material)
     , variable(variable_number(the_case, material, field))
+    , name(the_case.materials[material]->variables()[variable].name)
   {
     const std::string              path = "Random fields/" + field.name;
     const std::vector<std::string> none;

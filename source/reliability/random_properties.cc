@@ -15,6 +15,9 @@ namespace Waker
 {
   namespace
   {
+    using Role = MaterialVariable::Role;
+
+
     /// More of a distribution than this beyond its limits is worth a warning.
     constexpr double largest_share_beyond = 0.01;
 
@@ -137,8 +140,9 @@ namespace Waker
                                  ? field.maximum
                                  : std::numeric_limits<double>::infinity();
         Target       target{path,
-                      name_of(field.property),
+                      moments.back().variable_name(),
                       Marginal(field.distribution, field.minimum, largest),
+                      {},
                       {},
                       {},
                       {},
@@ -181,19 +185,21 @@ namespace Waker
             }
 
         // The residual strength goes along, unless it has its own field.
-        bool own_field = field.property == FieldProperty::residual_strength;
+        const auto residual =
+          variable_of(*the_case.materials[material], Role::residual_strength);
+        bool alone = !residual || residual->name == target.property;
         for (const RandomFieldParameters &other : parameters.fields)
-          own_field =
-            own_field || (other.property == FieldProperty::residual_strength &&
-                          material_number(the_case, other) == material);
-        if (!own_field)
+          alone =
+            alone || (role_of(other.property) == Role::residual_strength &&
+                      material_number(the_case, other) == material);
+        if (!alone)
           {
             const auto initial = [&](const std::string &name) {
               return points.scalars[points.find_scalar(name)].values.data();
             };
-            const double *const c_i = initial(name_of(field.property));
-            const double *const c_r =
-              initial(name_of(FieldProperty::residual_strength));
+            const double *const c_i = initial(target.property);
+            const double *const c_r = initial(residual->name);
+            target.residual         = residual->name;
             for (const std::size_t q : target.points)
               target.residual_ratio.push_back(c_r[q] / c_i[q]);
           }
@@ -296,8 +302,7 @@ namespace Waker
   {
     if (target.residual_ratio.empty())
       return;
-    std::vector<double> &residual =
-      state.points.scalar(name_of(FieldProperty::residual_strength));
+    std::vector<double>       &residual = state.points.scalar(target.residual);
     const std::vector<double> &strength = state.points.scalar(target.property);
     for (std::size_t i = 0; i < target.points.size(); ++i)
       {

@@ -123,18 +123,22 @@ namespace Waker
       ranges.check(
         path + "Unit weight", m.unit_weight, 5., 30., " kN/m^3", "soils have");
       ranges.check(path + "Young's modulus",
-                   m.youngs_modulus,
+                   m.elastic.youngs_modulus,
                    50.,
                    3e8,
                    " kPa",
                    "peat to steel has");
-      ranges.check(
-        path + "Poisson's ratio", m.poissons_ratio, 0., 0.495, "", "usual is");
-      if (m.model == MaterialModel::linear_elastic)
-        return;
+      ranges.check(path + "Poisson's ratio",
+                   m.elastic.poissons_ratio,
+                   0.,
+                   0.495,
+                   "",
+                   "usual is");
       // Of an expression the points know the values.
-      if (const auto strength = plain_number(m.initial_strength))
-        check_strength(path, *strength, m.youngs_modulus, ranges);
+      if (m.strength() == nullptr)
+        return;
+      if (const auto strength = plain_number(*m.strength()))
+        check_strength(path, *strength, m.elastic.youngs_modulus, ranges);
     }
 
 
@@ -143,27 +147,34 @@ namespace Waker
     void
     check_strengths_of_points(const Case<dim> &the_case, Ranges &ranges)
     {
-      const MaterialPoints<dim> &points = the_case.initial_points;
-      const int i = points.find_scalar("undrained shear strength");
+      const MaterialPoints<dim>             &points = the_case.initial_points;
       const std::vector<MaterialParameters> &materials =
         the_case.parameters.materials;
-      for (std::size_t m = 0; i >= 0 && m < materials.size(); ++m)
+      for (std::size_t m = 0;
+           m < std::min(materials.size(), the_case.materials.size());
+           ++m)
         {
-          if (materials[m].model == MaterialModel::linear_elastic ||
-              plain_number(materials[m].initial_strength))
+          const auto strength = variable_of(*the_case.materials[m],
+                                            MaterialVariable::Role::strength);
+          if (!strength || !strength->initial_value.varies())
             continue;
+          const auto &values =
+            points.scalars[points.find_scalar(strength->name)].values;
           double least = std::numeric_limits<double>::max(), largest = 0.;
           for (std::size_t p = 0; p < points.n_points(); ++p)
             if (points.material[p] == m)
               {
-                least   = std::min(least, points.scalars[i].values[p]);
-                largest = std::max(largest, points.scalars[i].values[p]);
+                least   = std::min(least, values[p]);
+                largest = std::max(largest, values[p]);
               }
           if (!(largest >= least))
             continue; // no points
           const std::string path = "Materials/" + materials[m].name + "/";
-          for (const double strength : {least, largest})
-            check_strength(path, strength, materials[m].youngs_modulus, ranges);
+          for (const double value : {least, largest})
+            check_strength(path,
+                           value,
+                           materials[m].elastic.youngs_modulus,
+                           ranges);
         }
     }
     constexpr double usual_traction = 1000.; // kPa

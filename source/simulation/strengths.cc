@@ -6,15 +6,12 @@ namespace Waker
 {
   namespace
   {
-    using Role = MaterialVariable::Role;
-
-
     std::vector<std::string>
     strengths_of(const Material &material)
     {
       std::vector<std::string> names;
       for (const MaterialVariable &variable : material.variables())
-        if (variable.role == Role::strength)
+        if (is_strength(variable.role))
           names.push_back(variable.name);
       return names;
     }

@@ -23,11 +23,11 @@ namespace Waker
       parameters.grid.upper_corner = {6., 1.};
       parameters.grid.cell_size    = 1.;
       MaterialParameters material;
-      material.name           = "elastic";
-      material.model          = MaterialModel::linear_elastic;
-      material.youngs_modulus = 1000.;
-      material.poissons_ratio = 0.;
-      parameters.materials    = {material};
+      material.name                   = "elastic";
+      material.model                  = MaterialModel::linear_elastic;
+      material.elastic.youngs_modulus = 1000.;
+      material.elastic.poissons_ratio = 0.;
+      parameters.materials            = {material};
       LayerParameters layer;
       layer.name           = "bar";
       layer.material       = "elastic";

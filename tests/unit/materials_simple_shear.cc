@@ -42,10 +42,10 @@ namespace
   shear(const std::string &invariant, const double gamma, const unsigned int n)
   {
     MaterialParameters parameters; // of chapter 5 by default
-    parameters.initial_strength         = std::to_string(c_i);
-    parameters.residual_strength        = std::to_string(c_r);
-    parameters.softening_modulus        = H_s;
-    parameters.plastic_strain_invariant = Named{invariant};
+    parameters.von_mises.initial_strength         = std::to_string(c_i);
+    parameters.von_mises.residual_strength        = std::to_string(c_r);
+    parameters.von_mises.softening_modulus        = H_s;
+    parameters.von_mises.plastic_strain_invariant = Named{invariant};
     Materials materials;
     materials.push_back(make_material(parameters, 9.81));
 

@@ -279,7 +279,7 @@ TEST(Mechanics, an_explicit_step_is_a_share_of_a_cell_at_the_speed_of_waves)
   p.time.scheme               = Scheme::explicit_steps;
   p.time.courant_number       = 0.4;
   const MaterialParameters &m = p.materials[0];
-  const double              E = m.youngs_modulus, nu = m.poissons_ratio;
+  const double   E = m.elastic.youngs_modulus, nu = m.elastic.poissons_ratio;
   const double   c = std::sqrt(E * (1. - nu) / ((1. + nu) * (1. - 2. * nu)) /
                              (m.unit_weight / 9.81));
   const Case<2>  the_case(p, MPI_COMM_SELF);

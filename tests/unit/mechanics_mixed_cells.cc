@@ -24,13 +24,13 @@ namespace
   clay(const std::string &name, const double stiffness)
   {
     MaterialParameters material;
-    material.name              = name;
-    material.unit_weight       = unit_weight;
-    material.youngs_modulus    = stiffness;
-    material.poissons_ratio    = 0.45;
-    material.initial_strength  = "14";
-    material.residual_strength = "14";
-    material.softening_modulus = 0.;
+    material.name                        = name;
+    material.unit_weight                 = unit_weight;
+    material.elastic.youngs_modulus      = stiffness;
+    material.elastic.poissons_ratio      = 0.45;
+    material.von_mises.initial_strength  = "14";
+    material.von_mises.residual_strength = "14";
+    material.von_mises.softening_modulus = 0.;
     return material;
   }
 

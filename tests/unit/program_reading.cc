@@ -37,7 +37,7 @@ TEST(Program, good_case_is_read)
   EXPECT_EQ(p->grid.lower_corner, (std::vector<double>{-6., 0.}));
   ASSERT_EQ(p->materials.size(), 1u);
   EXPECT_EQ(p->materials[0].name, "clay");
-  EXPECT_EQ(p->materials[0].initial_strength, "10");
+  EXPECT_EQ(p->materials[0].von_mises.initial_strength, "10");
   EXPECT_EQ(p->materials[0].unit_weight, 16.);
   ASSERT_EQ(p->layers.size(), 1u);
   EXPECT_EQ(p->layers[0].polygon, "0, 0; 30, 0; 15, 5; 5, 5");

@@ -18,10 +18,10 @@ namespace
     p.grid.upper_corner = {3., 1.5};
     p.grid.cell_size    = 0.25;
     p.materials.resize(1);
-    p.materials[0].name           = "soil";
-    p.materials[0].model          = MaterialModel::linear_elastic;
-    p.materials[0].youngs_modulus = 200.;
-    p.materials[0].poissons_ratio = 0.3;
+    p.materials[0].name                   = "soil";
+    p.materials[0].model                  = MaterialModel::linear_elastic;
+    p.materials[0].elastic.youngs_modulus = 200.;
+    p.materials[0].elastic.poissons_ratio = 0.3;
     p.layers.resize(1);
     p.layers[0].name     = "crest";
     p.layers[0].material = "soil";

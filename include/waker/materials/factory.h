@@ -40,18 +40,16 @@ namespace Waker
   {
     std::string name; // of the subsection
 
-    MaterialModel model          = MaterialModel::von_mises_softening;
-    double        unit_weight    = 15.;   // kN/m^3
-    double        youngs_modulus = 1000.; // kPa
-    double        poissons_ratio = 0.45;  // -
-    /// c_i (kPa): a number, or an expression of the place.
-    std::string initial_strength = "13";
-    /// c_r (kPa), likewise; it may contain "initial_strength".
-    std::string residual_strength = "5";
-    double      softening_modulus = -50.; // H_s = dc / d(plastic strain), kPa
-    /// Which invariant softens (the thesis does not print it).
-    VonMisesSoftening::Invariant plastic_strain_invariant =
-      VonMisesSoftening::Invariant::equivalent;
+    MaterialModel model       = MaterialModel::von_mises_softening;
+    double        unit_weight = 15.; // kN/m^3
+
+    // Of the laws, those of others unread.
+    LinearElasticParameters     elastic;
+    VonMisesSofteningParameters von_mises;
+
+    /// The strength as the user writes it; null if the law has none.
+    const std::string *
+    strength() const;
 
     void
     add_parameters(ParameterHandler &prm);

@@ -4,8 +4,37 @@
 
 #include <waker/materials/material.h>
 
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
 namespace Waker
 {
+  /// What the user says of a law's elasticity: in "Materials/<name>".
+  struct LinearElasticParameters
+  {
+    double youngs_modulus = 1000.; // kPa
+    double poissons_ratio = 0.45;  // -
+
+    double
+    shear_modulus() const
+    {
+      return youngs_modulus / (2. * (1. + poissons_ratio));
+    }
+
+    void
+    add_parameters(ParameterHandler &prm);
+
+    /// @param path "Materials/<name>/"
+    /// @throws UserError path + ...
+    void
+    check(const std::string &path) const;
+  };
+
+
   /// Isotropic linear (hypo-)elasticity: stress += D : strain increment.
   class LinearElastic : public Material
   {

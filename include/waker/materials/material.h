@@ -47,8 +47,10 @@ namespace Waker
     /// What a variable is to those who do not know the law.
     enum class Role
     {
-      strength, // divided by a strength reduction
-      history   // what the point has gone through
+      strength,          // divided by a strength reduction
+      residual_strength, // what softening leaves of the strength; likewise
+      stiffness,
+      history // what the point has gone through
     };
 
     std::string  name; // "plastic strain"
@@ -59,6 +61,16 @@ namespace Waker
     /// list; empty: they cannot ask for it.
     std::string symbol = "";
   };
+
+  /// Does a strength reduction divide what has this role?
+  bool
+  is_strength(const MaterialVariable::Role role);
+
+  class Material;
+
+  /// The material's first variable of a role; none if the law has no such one.
+  std::optional<MaterialVariable>
+  variable_of(const Material &material, const MaterialVariable::Role role);
 
   /**
    * A constitutive law, always in 3D stress: plane strain is a strain with

@@ -4,6 +4,8 @@
 
 #include <waker/materials/linear_elastic.h>
 
+#include <memory>
+
 namespace Waker
 {
   /**
@@ -81,6 +83,42 @@ namespace Waker
       }
     return nullptr;
   }
+
+
+  /// What the user says of its strength: in "Materials/<name>".
+  struct VonMisesSofteningParameters
+  {
+    /// c_i (kPa): a number, or an expression of the place.
+    std::string initial_strength = "13";
+    /// c_r (kPa), likewise; it may contain "initial_strength".
+    std::string residual_strength = "5";
+    double      softening_modulus = -50.; // H_s = dc / d(plastic strain), kPa
+    /// Which invariant softens (the thesis does not print it).
+    VonMisesSoftening::Invariant plastic_strain_invariant =
+      VonMisesSoftening::Invariant::equivalent;
+
+    void
+    add_parameters(ParameterHandler &prm);
+
+    /// Can the strengths be read?
+    /// @param path "Materials/<name>/"
+    /// @throws UserError path + ...
+    void
+    check_expressions(const std::string &path, const unsigned int dim) const;
+
+    /// @throws UserError path + ...
+    void
+    check(const std::string             &path,
+          const LinearElasticParameters &elastic) const;
+  };
+
+
+  /// @param path "Materials/<name>/"
+  std::unique_ptr<Material>
+  make_von_mises_softening(const double                       density,
+                           const LinearElasticParameters     &elastic,
+                           const VonMisesSofteningParameters &parameters,
+                           const std::string                 &path);
 } // namespace Waker
 
 #endif

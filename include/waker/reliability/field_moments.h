@@ -13,6 +13,10 @@
 
 namespace Waker
 {
+  /// The role of what a field lets vary.
+  MaterialVariable::Role
+  role_of(const FieldProperty property);
+
   /// Mean and standard deviation (kPa) of a random field, anywhere in the soil.
   template <int dim>
   class FieldMoments
@@ -29,6 +33,13 @@ namespace Waker
     std::pair<double, double>
     at(const Point<dim> &x, const unsigned int layer) const;
 
+    /// The name of the property that varies, among the points' scalars.
+    const std::string &
+    variable_name() const
+    {
+      return name;
+    }
+
     /// Can the property have this mean?
     bool
     is_possible(const double mean) const;
@@ -44,6 +55,7 @@ namespace Waker
     InitialProperties<dim>              own; // of the material
     unsigned int                        material;
     unsigned int                        variable;
+    std::string                         name;      // of the variable
     std::optional<PlaceExpression<dim>> mean;      // none: the material's
     std::optional<PlaceExpression<dim>> deviation; // none: from the mean
   };

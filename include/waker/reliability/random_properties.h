@@ -69,8 +69,9 @@ namespace Waker
       std::vector<std::size_t> cells;  // of its lattice, one per point
       std::vector<double>      mean;   // kPa, one per point
       std::vector<double>      standard_deviation;
-      /// Of c_r to c_i, one per point if the residual strength goes along;
-      /// else empty.
+      /// The residual strength that goes along, and its ratio to the property,
+      /// one per point; else empty.
+      std::string         residual;
       std::vector<double> residual_ratio;
     };
 

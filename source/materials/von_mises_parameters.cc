@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/parameter_handler.h>
+
+#include <waker/base/checks.h>
+#include <waker/base/choice_parameter.h>
+#include <waker/base/errors.h>
+#include <waker/base/expression_pattern.h>
+#include <waker/base/numbers.h>
+#include <waker/materials/von_mises_softening.h>
+#include <waker/particles/place_expression.h>
+
+#include <cmath>
+
+namespace Waker
+{
+  void
+  VonMisesSofteningParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Initial strength",
+                      initial_strength,
+                      "Undrained shear strength c_i (kPa) before any plastic "
+                      "strain, above 0: a number, or an expression of the "
+                      "place at the start: x, y, z, depth below the highest "
+                      "soil over it, depth_in_layer below the top of its layer "
+                      "(m); for example \"8 + 1.5*depth_in_layer\".",
+                      ExpressionPattern());
+    prm.add_parameter("Residual strength",
+                      residual_strength,
+                      "Undrained shear strength c_r (kPa) after softening, at "
+                      "least 0 and at most the initial strength: a number, or "
+                      "an expression like that, in which initial_strength is "
+                      "c_i at the place; for a sensitivity of 2.6: "
+                      "\"initial_strength/2.6\".",
+                      ExpressionPattern());
+    prm.add_parameter("Softening modulus",
+                      softening_modulus,
+                      "Slope H_s = dc / d(plastic strain) (kPa), at most 0. 0: "
+                      "no softening. Results depend on the cell size with it: "
+                      "there is no regularisation.",
+                      Patterns::Double());
+    add_choice(prm,
+               "Plastic strain invariant",
+               plastic_strain_invariant,
+               "Which measure of plastic strain e softens: equivalent = "
+               "sqrt(2/3 e:e); half = sqrt(1/2 e:e), 13 % less for the "
+               "same shear.");
+  }
+
+
+  namespace
+  {
+    /// A look at an expression before there is a place to evaluate it at.
+    void
+    check_expression(const std::string              &path,
+                     const std::string              &text,
+                     const std::vector<std::string> &more,
+                     const unsigned int              dim)
+    {
+      if (plain_number(text))
+        return;
+      if (dim == 2)
+        PlaceExpression<2>(text, path, more, ", or a number");
+      else
+        PlaceExpression<3>(text, path, more, ", or a number");
+    }
+
+
+    InitialValue
+    initial_value(const std::string &text, const std::string &path)
+    {
+      const std::optional<double> number = plain_number(text);
+      return number ? InitialValue(*number, path) : InitialValue(text, path);
+    }
+  } // namespace
+
+
+  void
+  VonMisesSofteningParameters::check_expressions(const std::string &path,
+                                                 const unsigned int dim) const
+  {
+    check_expression(path + "Initial strength", initial_strength, {}, dim);
+    check_expression(path + "Residual strength",
+                     residual_strength,
+                     {"initial_strength"},
+                     dim);
+  }
+
+
+  void
+  VonMisesSofteningParameters::check(
+    const std::string             &path,
+    const LinearElasticParameters &elastic) const
+  {
+    // Expressions are read where the points are.
+    const std::optional<double> initial  = plain_number(initial_strength);
+    const std::optional<double> residual = plain_number(residual_strength);
+    if (initial)
+      require_positive(path + "Initial strength", *initial, "kPa");
+    if (residual &&
+        !(*residual >= 0. && *residual <= initial.value_or(*residual)))
+      throw UserError(path + "Residual strength",
+                      "is " + in_digits(*residual) +
+                        " kPa, the initial strength " + initial_strength +
+                        " kPa",
+                      "from 0 to the initial strength");
+    if (!(softening_modulus <= 0.))
+      throw UserError(path + "Softening modulus",
+                      "is " + in_digits(softening_modulus) + " kPa",
+                      "a negative number, or 0 for no softening");
+
+    // The return to the yield surface, (sqrt(3) c - q) / (3 G + H'), must
+    // exist: no snap-back of a point. H' = dq / d(lambda).
+    const double strain_per_lambda =
+      plastic_strain_invariant == VonMisesSoftening::Invariant::half
+        ? std::sqrt(3.) / 2.
+        : 1.;
+    const double limit =
+      -3. * elastic.shear_modulus() / (std::sqrt(3.) * strain_per_lambda);
+    if (!(softening_modulus > limit))
+      throw UserError(path + "Softening modulus",
+                      "is " + in_digits(softening_modulus) +
+                        " kPa: steeper than the elastic unloading (snap-back)",
+                      "above " + in_digits(limit) +
+                        " kPa with this Young's modulus and Poisson's ratio");
+  }
+
+
+  std::unique_ptr<Material>
+  make_von_mises_softening(const double                       density,
+                           const LinearElasticParameters     &elastic,
+                           const VonMisesSofteningParameters &parameters,
+                           const std::string                 &path)
+  {
+    return std::make_unique<VonMisesSoftening>(
+      density,
+      elastic.youngs_modulus,
+      elastic.poissons_ratio,
+      initial_value(parameters.initial_strength, path + "Initial strength"),
+      initial_value(parameters.residual_strength, path + "Residual strength"),
+      parameters.softening_modulus,
+      parameters.plastic_strain_invariant);
+  }
+} // namespace Waker
