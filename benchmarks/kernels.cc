@@ -198,10 +198,7 @@ namespace WakerBenchmarks
       force.reinit(m.scene.nodes.external_force);
       for (auto _ : timer)
         {
-          if (m.scene.surfaces.is_spatial())
-            m.scene.water.find_wetted_facets(m.scene.surfaces.facets());
-          else
-            m.scene.water.find_wetted_segments(m.scene.surfaces.chains());
+          m.scene.water.find(m.scene.surfaces);
           m.scene.water.add_nodal_forces(m.scene.nodes.mass,
                                          m.the_case.full_node_mass,
                                          force);

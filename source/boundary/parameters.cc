@@ -5,8 +5,7 @@
 #include <waker/base/errors.h>
 #include <waker/base/expression_pattern.h>
 #include <waker/base/text.h>
-#include <waker/boundary/proximity_field.h>
-#include <waker/boundary/water_load.h>
+#include <waker/boundary/parameters.h>
 
 #include <cmath>
 
@@ -121,7 +120,7 @@ namespace Waker
       throw UserError("Water/Level",
                       "\"" + level_text + "\" is no number",
                       "a level in m, with a decimal point; or none");
-    if (side != WaterSide::none)
+    if (stands())
       throw UserError("Water/Level",
                       "is none, but water stands on the " +
                         std::string(name_of(side)),

@@ -30,7 +30,7 @@ namespace Waker
   Traction<dim>::Traction(const TractionParameters &parameters,
                           const double              tolerance)
     : kind(parameters.kind)
-    , unit_weight(parameters.unit_weight)
+    , liquid{parameters.unit_weight, 0.}
     , tolerance(tolerance)
     , holes(parameters.holes)
   {
@@ -99,8 +99,8 @@ namespace Waker
   void
   Traction<dim>::set_time(const double t)
   {
-    time          = t;
-    current_level = level.value(t);
+    time         = t;
+    liquid.level = level.value(t);
     if (uniform)
       for (unsigned int i = 0; i < expressions.size(); ++i)
         constant[i] = expressions[i].value(Point<dim>(), t);
@@ -115,7 +115,7 @@ namespace Waker
       return;
     Tensor<1, dim> up;
     up[1] = 1.;
-    keep_below(up, current_level, 0., part, work);
+    keep_below(up, liquid.level, 0., part, work);
   }
 
 
@@ -138,7 +138,7 @@ namespace Waker
         case TractionKind::pressure:
           return -number(0) * normal;
         case TractionKind::hydrostatic:
-          return -unit_weight * std::max(current_level - x[1], 0.) * normal;
+          return -liquid.pressure(x[1]) * normal;
       }
     Assert(false, ExcInternalError());
     return {};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/exceptions.h>
 
+#include <waker/base/last_change.h>
+#include <waker/boundary/surface_finder.h>
 #include <waker/boundary/water_load.h>
 
 #include <algorithm>
@@ -12,6 +14,8 @@ namespace Waker
                             const WaterParameters     &parameters)
     : grid(&grid)
     , parameters(parameters)
+    , rise(parameters.rise, "Water/Rise")
+    , liquid{parameters.unit_weight, parameters.level}
     , plane_load(Point<2>(grid.origin()[0], grid.origin()[1]),
                  grid.cell_size(),
                  {{grid.n_nodes_per_direction()[0],
@@ -22,9 +26,30 @@ namespace Waker
 
   template <int dim>
   double
-  WaterLoad<dim>::pressure(const double y) const
+  WaterLoad<dim>::last_change() const
   {
-    return parameters.unit_weight * std::max(parameters.level - y, 0.);
+    return parameters.stands() ? rise.last_change() : LastChange::never;
+  }
+
+
+
+  template <int dim>
+  bool
+  WaterLoad<dim>::varies(const double from, const double to) const
+  {
+    return parameters.stands() && rise.varies(from, to);
+  }
+
+
+
+  template <int dim>
+  void
+  WaterLoad<dim>::find(SurfaceFinder<dim> &surfaces)
+  {
+    if (!surfaces.is_spatial())
+      find_wetted_segments(surfaces.chains());
+    else if (parameters.stands())
+      find_wetted_facets(surfaces.facets());
   }
 
 
@@ -35,10 +60,10 @@ namespace Waker
   {
     wetted.clear();
     facets.clear();
-    if (parameters.side != WaterSide::none)
+    if (parameters.stands())
       Waker::find_wetted_segments(surface,
                                   parameters.side == WaterSide::left,
-                                  parameters.level,
+                                  liquid.level,
                                   grid->lower_corner()[1],
                                   grid->cell_size(),
                                   wetted);
@@ -52,7 +77,7 @@ namespace Waker
   {
     wetted.clear();
     facets.clear();
-    if (parameters.side == WaterSide::none)
+    if (!parameters.stands())
       return;
     if constexpr (dim == 3)
       {
@@ -60,7 +85,7 @@ namespace Waker
           finder.emplace();
         finder->find(surface,
                      parameters.side == WaterSide::left,
-                     parameters.level,
+                     liquid.level,
                      grid->lower_corner()[1],
                      grid->cell_size(),
                      facets);
@@ -92,7 +117,7 @@ namespace Waker
         load->clear();
         for (const Facet<dim> &facet : facets)
           load->add_pressure(facet, [this](const Point<dim> &x) {
-            return pressure(x[1]);
+            return liquid.pressure(x[1]);
           });
         load->distribute(node_mass,
                          parameters.minimum_support * full_node_mass,
@@ -105,7 +130,7 @@ namespace Waker
     for (const LoadedSegment &segment : wetted)
       plane_load.add_pressure(
         {{{segment.from, segment.to}}, segment.normal, -1},
-        [this](const Point<2> &x) { return pressure(x[1]); });
+        [this](const Point<2> &x) { return liquid.pressure(x[1]); });
 
     // Planes of nodes along z that hold a part of the box, and the integral of
     // their linear function over it.
@@ -154,8 +179,8 @@ namespace Waker
         // The pressure is linear from p0 to p1.
         const Tensor<1, 2> along  = segment.to - segment.from;
         const double       length = along.norm();
-        const double       p0     = pressure(segment.from[1]);
-        const double       p1     = pressure(segment.to[1]);
+        const double       p0     = liquid.pressure(segment.from[1]);
+        const double       p1     = liquid.pressure(segment.to[1]);
         const double       total  = 0.5 * length * (p0 + p1);
         sum.force -= total * segment.normal;
 
@@ -183,7 +208,7 @@ namespace Waker
             const Point<3>    &a = facet.vertices[k];
             const Point<3>     x = a + 0.5 * (facet.vertices[(k + 1) % 3] - a);
             const Tensor<1, 3> f =
-              -facet.measure() / 3. * pressure(x[1]) * facet.normal;
+              -facet.measure() / 3. * liquid.pressure(x[1]) * facet.normal;
             sum.force += f;
             sum.moment += cross_product_3d(Tensor<1, 3>(x), f);
           }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/boundary/liquid.h>
 #include <waker/boundary/surface.h>
-#include <waker/boundary/water_load.h>
+#include <waker/boundary/wetted_surface.h>
 #include <waker/output/surface_writer.h>
 
 #include "vtu.h"
-#include <algorithm>
 
 namespace Waker
 {
@@ -18,20 +18,13 @@ namespace Waker
       file.add_scalar("pressure", "kPa");
     }
 
-
-    template <int dim>
-    double
-    pressure(const WaterParameters &water, const Point<dim> &x)
-    {
-      return water.unit_weight * std::max(water.level - x[1], 0.);
-    }
   } // namespace
 
 
   void
   write_surface(const Surface                    &surface,
                 const std::vector<LoadedSegment> &wetted_segments,
-                const WaterParameters            &water,
+                const Liquid                     &water,
                 const double                      time,
                 const std::string                &path)
   {
@@ -59,7 +52,7 @@ namespace Waker
           file.add_value(-1.);
           file.add_value(-1.);
           file.add_value(1.);
-          file.add_value(pressure(water, x));
+          file.add_value(water.pressure(x[1]));
         }
     file.write(time, path);
   }
@@ -67,11 +60,11 @@ namespace Waker
 
   template <int dim>
   void
-  write_surface(const Facets<dim>     &surface,
-                const Facets<dim>     &wetted,
-                const WaterParameters &water,
-                const double           time,
-                const std::string     &path)
+  write_surface(const Facets<dim> &surface,
+                const Facets<dim> &wetted,
+                const Liquid      &water,
+                const double       time,
+                const std::string &path)
   {
     VtuFile file(dim == 2 ? VtuFile::Cell::line : VtuFile::Cell::triangle);
     add_surface_fields(file);
@@ -83,7 +76,7 @@ namespace Waker
             file.add_point(x);
             file.add_value(is_wet ? -1 : facet.on_face);
             file.add_value(is_wet);
-            file.add_value(is_wet ? pressure(water, x) : 0.);
+            file.add_value(is_wet ? water.pressure(x[1]) : 0.);
           }
     file.write(time, path);
   }
@@ -92,13 +85,13 @@ namespace Waker
   template void
   write_surface(const Facets<2> &,
                 const Facets<2> &,
-                const WaterParameters &,
+                const Liquid &,
                 const double,
                 const std::string &);
   template void
   write_surface(const Facets<3> &,
                 const Facets<3> &,
-                const WaterParameters &,
+                const Liquid &,
                 const double,
                 const std::string &);
 } // namespace Waker

@@ -47,7 +47,7 @@ namespace Waker
         ScenarioInfo scenario;
         scenario.value = values[s];
         scenario.hash  = input.campaign_hash;
-        if (input.simulation.water.side != WaterSide::none)
+        if (input.simulation.water.stands())
           scenario.water_level = input.simulation.water.level;
         // fmax, fmin: NaN is no number to compare with.
         for (const LayerParameters &layer : input.simulation.layers)

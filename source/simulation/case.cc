@@ -122,7 +122,7 @@ namespace Waker
       text << y;
       return text.str();
     };
-    const bool         has_water = parameters.water.side != WaterSide::none;
+    const bool         has_water = parameters.water.stands();
     const DykeGeometry dyke =
       measure_dyke(scene.surfaces.chains(), parameters.water.level);
     if (dyke.width > 0.)

@@ -115,13 +115,13 @@ namespace Waker
             dim == 2 ? "m" : "m^2",
             rides ? "goes with the soil" : "stays in space");
       }
-    if (p.water.side != WaterSide::none && !the_case.water_touches)
+    if (p.water.stands() && !the_case.water_touches)
       warn(log,
            "Water/Level: the water touches no soil at the start, at %g m: it "
            "does not stand above the foreland, and W at that level is the "
            "width of all soil there, not the dyke's",
            p.water.level);
-    if (p.water.side == WaterSide::none && !std::isnan(p.water.level) &&
+    if (!p.water.stands() && !std::isnan(p.water.level) &&
         std::isnan(the_case.measuring_level))
       warn(log,
            "Water/Level: no soil at %g m: the width is not measured",

@@ -103,7 +103,7 @@ namespace Waker
                 const std::vector<LayerParameters> &layers)
     {
       water.check();
-      if (water.side == WaterSide::none)
+      if (!water.stands())
         return;
       double crest = std::numeric_limits<double>::lowest();
       double base  = std::numeric_limits<double>::max();

@@ -272,7 +272,7 @@ namespace Waker
                    10.,
                    " m/s^2",
                    "on earth it is");
-    if (p.water.side != WaterSide::none)
+    if (p.water.stands())
       ranges.check("Water/Unit weight",
                    p.water.unit_weight,
                    9.5,

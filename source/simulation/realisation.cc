@@ -44,7 +44,7 @@ namespace Waker
                                        the_case->measuring_level),
                           state->time,
                           scene.water_level(state->time),
-                          parameters.water.side != WaterSide::none,
+                          parameters.water.stands(),
                           parameters.initial_failure.limits);
     state->failure.watch_slopes(state->points,
                                 the_case->grid,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/boundary/liquid.h>
 #include <waker/output/files.h>
 #include <waker/output/grid_writer.h>
 #include <waker/output/output_files.h>
@@ -223,8 +224,7 @@ namespace Waker
       }
     if (output.surface)
       {
-        WaterParameters water = parameters->water;
-        water.level           = view.water_level;
+        const Liquid water{parameters->water.unit_weight, view.water_level};
         if (view.facets != nullptr)
           write_surface(*view.facets,
                         view.wetted_facets,

@@ -27,7 +27,6 @@ namespace Waker
             stiffest_modulus(the_case.materials),
             the_case.full_node_mass)
     , the_case(&the_case)
-    , water_rise(the_case.parameters.water.rise, "Water/Rise")
     , point_loads(the_case.grid)
   {}
 
@@ -100,7 +99,7 @@ namespace Waker
   bool
   Scene<dim>::loads_move() const
   {
-    return water_rise.moves() || tractions.moves();
+    return water.moves() || tractions.moves();
   }
 
 
@@ -122,13 +121,10 @@ namespace Waker
   Scene<dim>::last_load_change(const double unknown) const
   {
     double last = full_loads_from(the_case->parameters.time);
-    for (const double change :
-         {the_case->parameters.water.side != WaterSide::none
-            ? water_rise.last_change()
-            : LastChange::never,
-          tractions.last_change(),
-          walls.last_change(),
-          the_case->fixities.last_change()})
+    for (const double change : {water.last_change(),
+                                tractions.last_change(),
+                                walls.last_change(),
+                                the_case->fixities.last_change()})
       last = std::max(last, change == LastChange::unknown ? unknown : change);
     return last;
   }
@@ -140,8 +136,7 @@ namespace Waker
   {
     if (full_loads_from(the_case->parameters.time) > from)
       return "Time stepping/Load duration";
-    if (the_case->parameters.water.side != WaterSide::none &&
-        water_rise.varies(from, to))
+    if (water.varies(from, to))
       return "Water/Rise";
     for (const std::string &path : {tractions.varying(from, to),
                                     walls.varying(from, to),
@@ -157,11 +152,8 @@ namespace Waker
   Scene<dim>::set_loads(const MaterialPoints<dim> &points, const double time)
   {
     set_gravity<dim>(the_case->parameters.gravity.acceleration, nodes);
-    water.set_level(water_level(time));
-    if (!surfaces.is_spatial())
-      water.find_wetted_segments(surfaces.chains());
-    else if (the_case->parameters.water.side != WaterSide::none)
-      water.find_wetted_facets(surfaces.facets());
+    water.set_time(time);
+    water.find(surfaces);
     water.add_nodal_forces(nodes.mass,
                            the_case->full_node_mass,
                            nodes.external_force);
@@ -203,7 +195,7 @@ namespace Waker
   double
   Scene<dim>::water_level(const double time) const
   {
-    return the_case->parameters.water.level + water_rise.value(time);
+    return water.level(time);
   }
 
 

@@ -5,6 +5,7 @@
 #include <waker/base/expression.h>
 #include <waker/base/time_function.h>
 #include <waker/boundary/facet.h>
+#include <waker/boundary/liquid.h>
 #include <waker/boundary/traction_parameters.h>
 
 #include <vector>
@@ -85,7 +86,7 @@ namespace Waker
     TractionKind                 kind;
     std::vector<Expression<dim>> expressions; // of a vector or a pressure
     TimeFunction                 level;
-    double                       unit_weight;
+    Liquid                       liquid;    // if hydrostatic
     double                       tolerance; // m
 
     bool           holes   = false; // are they loaded?
@@ -95,8 +96,7 @@ namespace Waker
     Tensor<1, dim> facing;        // unit vector
     double         least_cosine = -1.;
 
-    double                time          = 0.;
-    double                current_level = 0.;
+    double                time = 0.;
     std::array<double, 3> constant{}; // values of uniform expressions
     bool                  uniform = true;
     Facets<dim>           work;

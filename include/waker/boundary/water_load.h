@@ -2,82 +2,20 @@
 #ifndef waker_boundary_water_load_h
 #define waker_boundary_water_load_h
 
+#include <waker/base/time_function.h>
 #include <waker/boundary/facet_load.h>
+#include <waker/boundary/liquid.h>
+#include <waker/boundary/parameters.h>
 #include <waker/boundary/surface.h>
 #include <waker/boundary/wetted_surface.h>
 #include <waker/grid/background_grid.h>
 #include <waker/nodes/nodal_vector.h>
 
-#include <limits>
 #include <optional>
-#include <string>
 #include <vector>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace Waker
 {
-  /// The side of the dyke on which the water stands.
-  enum class WaterSide
-  {
-    none,
-    left,
-    right
-  };
-
-  constexpr const char *
-  name_of(const WaterSide choice)
-  {
-    switch (choice)
-      {
-        case WaterSide::none:
-          return "none";
-        case WaterSide::left:
-          return "left";
-        case WaterSide::right:
-          return "right";
-      }
-    return nullptr;
-  }
-
-
-  /// Section "Water".
-  struct WaterParameters
-  {
-    WaterSide side = WaterSide::none;
-    /// Level (m) on the vertical axis at which the dyke's width is measured,
-    /// and to which `rise` is added. NaN: none, allowed without water.
-    double level = std::numeric_limits<double>::quiet_NaN();
-    /// Rise of the level in time (m): see base/time_function.h.
-    std::string rise = "0";
-    /// Unit weight (kN/m^3).
-    double unit_weight = 10.;
-    /// A node carries load only if its mass is at least this share of the mass
-    /// of a node inside the body.
-    double minimum_support = 0.01;
-
-    /// Along x: +1 or -1, away from the water; +1 without water.
-    int
-    inner_direction() const
-    {
-      return side == WaterSide::right ? -1 : 1;
-    }
-
-    /// What the user wrote for `level`: read by the parameter handler, judged
-    /// by check().
-    std::string level_text = "none";
-
-    void
-    add_parameters(ParameterHandler &prm);
-
-    /// @throws UserError "Water/Level" if it is no number, or missing
-    void
-    check() const;
-  };
-
   /// What the water does to the body, for checks and output. Per m of length
   /// along z, also in 3D.
   struct WaterResultant
@@ -93,7 +31,13 @@ namespace Waker
     Tensor<1, 3> moment; // kNm, about the origin
   };
 
+  template <int dim>
+  class SurfaceFinder;
+
   /**
+   * The water beside the dyke: its level in time, its pressure, where it acts,
+   * and what it does.
+   *
    * Hydrostatic pressure on the outer slope: from the outer toe of the largest
    * body along its surface up to where it first reaches the water level
    * (find_wetted_segments(), in 3D WettedFacets).
@@ -116,12 +60,52 @@ namespace Waker
     WaterLoad(const BackgroundGrid<dim> &grid,
               const WaterParameters     &parameters);
 
+    /// Level at time t (s), in m.
+    double
+    level(const double t) const
+    {
+      return parameters.level + rise.value(t);
+    }
+
+    /// Does the level depend on the time?
+    bool
+    moves() const
+    {
+      return rise.moves();
+    }
+
+    /// The last time at which the load changes (s): see LastChange.
+    double
+    last_change() const;
+
+    /// Does the load change between two times?
+    bool
+    varies(const double from, const double to) const;
+
+    /// From now on the water stands as at time t (s).
+    void
+    set_time(const double t)
+    {
+      set_level(level(t));
+    }
+
     /// From now on the water stands at this level (m).
     void
     set_level(const double level)
     {
-      parameters.level = level;
+      liquid.level = level;
     }
+
+    /// The water as it stands.
+    const Liquid &
+    now() const
+    {
+      return liquid;
+    }
+
+    /// Find what is wet, on the surface that is found for it.
+    void
+    find(SurfaceFinder<dim> &surfaces);
 
     /// The wetted part of the surface, from the toe up. Empty without water.
     void
@@ -168,12 +152,10 @@ namespace Waker
     spatial_resultant() const;
 
   private:
-    // Pressure at height y (kPa).
-    double
-    pressure(const double y) const;
-
     const BackgroundGrid<dim> *grid;
     WaterParameters            parameters;
+    TimeFunction               rise;
+    Liquid                     liquid;
     std::vector<LoadedSegment> wetted;
     Facets<dim>                facets;
 

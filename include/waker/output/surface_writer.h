@@ -9,9 +9,9 @@
 
 namespace Waker
 {
+  struct Liquid;
   struct LoadedSegment;
   struct Surface;
-  struct WaterParameters;
 
   /**
    * Write the detected surface to a .vtu file, one line cell per segment, and
@@ -26,7 +26,7 @@ namespace Waker
   void
   write_surface(const Surface                    &surface,
                 const std::vector<LoadedSegment> &wetted_segments,
-                const WaterParameters            &water,
+                const Liquid                     &water,
                 const double                      time,
                 const std::string                &path);
 
@@ -34,11 +34,11 @@ namespace Waker
   /// chain.
   template <int dim>
   void
-  write_surface(const Facets<dim>     &surface,
-                const Facets<dim>     &wetted,
-                const WaterParameters &water,
-                const double           time,
-                const std::string     &path);
+  write_surface(const Facets<dim> &surface,
+                const Facets<dim> &wetted,
+                const Liquid      &water,
+                const double       time,
+                const std::string &path);
 } // namespace Waker
 
 #endif

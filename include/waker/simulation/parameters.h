@@ -2,10 +2,9 @@
 #ifndef waker_simulation_parameters_h
 #define waker_simulation_parameters_h
 
-#include <waker/boundary/proximity_field.h>
+#include <waker/boundary/parameters.h>
 #include <waker/boundary/traction_parameters.h>
 #include <waker/boundary/wall_parameters.h>
-#include <waker/boundary/water_load.h>
 #include <waker/control/parameters.h>
 #include <waker/materials/factory.h>
 #include <waker/mechanics/parameters.h>

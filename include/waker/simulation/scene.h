@@ -2,7 +2,7 @@
 #ifndef waker_simulation_scene_h
 #define waker_simulation_scene_h
 
-#include <waker/base/time_function.h>
+#include <waker/base/last_change.h>
 #include <waker/boundary/facet_load.h>
 #include <waker/boundary/surface_finder.h>
 #include <waker/boundary/tractions.h>
@@ -100,7 +100,6 @@ namespace Waker
 
   private:
     const Case<dim> *the_case;
-    TimeFunction     water_rise;
     FacetLoad<dim>   point_loads;
   };
 } // namespace Waker
