@@ -2,6 +2,7 @@
 //
 // Whole steps: map, detect, load, solve, move; everything but output.
 #include <waker/program/parameter_reader.h>
+#include <waker/simulation/run_to_end.h>
 
 #include "dyke.h"
 #include <string>
@@ -52,8 +53,7 @@ namespace WakerBenchmarks
           const Case<2>  the_case(*parameters, MPI_COMM_SELF);
           State<2>       state = initial_state(the_case);
           Realisation<2> realisation(the_case, state);
-          while (realisation.look() == StopReason::none)
-            realisation.advance();
+          run_to_end(realisation);
           if (!state.failure.flooded())
             timer.SkipWithError("the weak dyke does not flood");
           steps  = state.step;

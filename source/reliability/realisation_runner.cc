@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
 #include <waker/reliability/realisation_runner.h>
+#include <waker/simulation/run_to_end.h>
 
 #include <chrono>
 #include <cmath>
@@ -56,6 +57,49 @@ namespace Waker
       std::vector<TracePoint> points;
       TracePoint              last{};
     };
+
+
+    /// Traces the geometry, and looks at the first slide.
+    template <int dim>
+    class RecordWatcher : public Watcher
+    {
+    public:
+      RecordWatcher(const bool                        inner_is_positive,
+                    const volatile std::sig_atomic_t *interrupt,
+                    const State<dim>                 &state,
+                    Record                           &record)
+        : inner_is_positive(inner_is_positive)
+        , interrupt(interrupt)
+        , state(state)
+        , record(record)
+      {}
+
+      bool
+      looked(const StopReason stop) override
+      {
+        const FailureRecord &failure = state.failure;
+        tracer.add(state.time, failure.geometry);
+        if (!has_seen_slide && failure.failed() &&
+            (stop != StopReason::none ||
+             state.time >= failure.time_of(FailureReading::any) + first_look))
+          {
+            has_seen_slide       = true;
+            record.first_inward  = moved_soil(state.points, inner_is_positive);
+            record.first_outward = moved_soil(state.points, !inner_is_positive);
+          }
+        return stop != StopReason::none || interrupt == nullptr ||
+               *interrupt == 0;
+      }
+
+      Tracer tracer;
+
+    private:
+      const bool                              inner_is_positive;
+      const volatile std::sig_atomic_t *const interrupt;
+      const State<dim>                       &state;
+      Record                                 &record;
+      bool                                    has_seen_slide = false;
+    };
   } // namespace
 
 
@@ -82,7 +126,7 @@ namespace Waker
 
   template <int dim>
   bool
-  RealisationRunner<dim>::run_to_end(
+  RealisationRunner<dim>::record_run(
     const Case<dim>                  &the_case,
     const volatile std::sig_atomic_t *interrupt,
     State<dim>                       &state,
@@ -90,38 +134,16 @@ namespace Waker
   {
     const bool inner_is_positive =
       the_case.parameters.water.inner_direction() > 0;
-    Realisation<dim> realisation(the_case, state);
-    Tracer           tracer;
-    bool             looked = false; // at the first slide
+    Realisation<dim>   realisation(the_case, state);
+    RecordWatcher<dim> watcher(inner_is_positive, interrupt, state, record);
     try
       {
-        while (true)
-          {
-            const StopReason     stop    = realisation.look();
-            const FailureRecord &failure = state.failure;
-            tracer.add(state.time, failure.geometry);
-            if (!looked && failure.failed() &&
-                (stop != StopReason::none ||
-                 state.time >=
-                   failure.time_of(FailureReading::any) + first_look))
-              {
-                looked = true;
-                record.first_inward =
-                  moved_soil(state.points, inner_is_positive);
-                record.first_outward =
-                  moved_soil(state.points, !inner_is_positive);
-              }
-            if (stop != StopReason::none)
-              {
-                record.stop_reason = to_string(stop);
-                record.unrest      = realisation.unrest();
-                record.outcome     = outcome_of(failure, *record.unrest);
-                break;
-              }
-            if (interrupt != nullptr && *interrupt != 0)
-              return false;
-            realisation.advance();
-          }
+        const StopReason stop = run_to_end(realisation, watcher);
+        if (stop == StopReason::none)
+          return false;
+        record.stop_reason = to_string(stop);
+        record.unrest      = realisation.unrest();
+        record.outcome     = outcome_of(state.failure, *record.unrest);
       }
     catch (const NumericalFailure &failure)
       {
@@ -142,7 +164,7 @@ namespace Waker
     record.linear_iterations += state.linear_iterations;
     record.unconverged_steps += state.unconverged_steps;
     if (state.failure.failed())
-      record.trace = tracer.finish();
+      record.trace = watcher.tracer.finish();
     return true;
   }
 
@@ -154,8 +176,9 @@ namespace Waker
   {
     const Clock::time_point start = Clock::now();
     Record                  record;
-    for (unsigned int attempt = 0; attempt < cases.size(); ++attempt)
-      {
+    bool                    interrupted = false;
+    cases.until_it_works(
+      [&](const Case<dim> &the_case, const unsigned int attempt) {
         // The work of all attempts counts, what came out only of the last.
         Record next;
         next.attempts          = attempt + 1;
@@ -166,18 +189,17 @@ namespace Waker
         next.field_time        = record.field_time;
         record                 = std::move(next);
 
-        const Case<dim>        &the_case    = cases[attempt];
         State<dim>              state       = initial_state(the_case);
         const Clock::time_point field_start = Clock::now();
         random_properties.apply(noise, state);
         record.field_time += seconds_since(field_start);
         std::tie(record.mean_strength, record.least_strength) =
           random_properties.mean_and_least(state);
-        if (!run_to_end(the_case, interrupt, state, record))
-          return {};
-        if (record.outcome != Outcome::numerical_failure)
-          break;
-      }
+        interrupted = !record_run(the_case, interrupt, state, record);
+        return interrupted || record.outcome != Outcome::numerical_failure;
+      });
+    if (interrupted)
+      return {};
     record.wall_time = seconds_since(start);
     return record;
   }

@@ -8,8 +8,8 @@
 #include <waker/reliability/progress.h>
 #include <waker/reliability/realisation_setup.h>
 #include <waker/reliability/snapshots.h>
+#include <waker/simulation/attempts.h>
 
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -46,7 +46,7 @@ namespace Waker
       parameters.hash              = hash_of_text(parameters.hash + name);
       parameters.output.directory  = directory;
       parameters.time.time_step =
-        std::ldexp(parameters.time.time_step, -static_cast<int>(attempt));
+        time_step_of_attempt(parameters.time.time_step, attempt);
       return parameters;
     }
 
@@ -78,24 +78,26 @@ namespace Waker
                   const RunOptions   &given_options,
                   const MPI_Comm      communicator)
   {
-    RunOptions   options = given_options;
-    unsigned int attempt =
+    RunOptions         options = given_options;
+    RunStatus          status  = RunStatus::completed;
+    const unsigned int first =
       options.resume ? attempt_in_folder(input, realisation, directory) : 0;
-    while (true)
-      {
-        const RunStatus status =
+    attempt_until_it_works(
+      first,
+      input.reliability.campaign.attempts,
+      [&](const unsigned int attempt) {
+        status =
           run<dim>(run_parameters(input, realisation, attempt, directory),
                    options,
                    communicator,
                    realisation_setup<dim>(input,
                                           realisation,
                                           title(input, realisation, attempt)));
-        if (status != RunStatus::numerical_failure || options.validate_only ||
-            ++attempt >= input.reliability.campaign.attempts)
-          return status;
         options.resume    = false;
         options.overwrite = true;
-      }
+        return status != RunStatus::numerical_failure || options.validate_only;
+      });
+    return status;
   }
 
 

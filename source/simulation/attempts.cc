@@ -5,6 +5,13 @@
 
 namespace Waker
 {
+  double
+  time_step_of_attempt(const double time_step, const unsigned int attempt)
+  {
+    return std::ldexp(time_step, -static_cast<int>(attempt));
+  }
+
+
   template <int dim>
   Attempts<dim>::Attempts(const Parameters  &parameters,
                           const unsigned int n,
@@ -23,7 +30,7 @@ namespace Waker
   {
     Parameters smaller = parameters;
     smaller.time.time_step =
-      std::ldexp(parameters.time.time_step, -static_cast<int>(cases.size()));
+      time_step_of_attempt(parameters.time.time_step, cases.size());
     cases.push_back(std::make_unique<const Case<dim>>(smaller, communicator));
   }
 

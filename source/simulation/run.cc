@@ -7,10 +7,11 @@
 #include <waker/output/output_files.h>
 #include <waker/output/output_folder.h>
 #include <waker/simulation/describe.h>
-#include <waker/simulation/realisation.h>
 #include <waker/simulation/recorder.h>
 #include <waker/simulation/run.h>
+#include <waker/simulation/run_to_end.h>
 
+#include "run_watcher.h"
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -20,100 +21,6 @@ namespace Waker
 {
   namespace
   {
-    bool
-    interrupted(const RunOptions &options)
-    {
-      return options.interrupt != nullptr && *options.interrupt != 0;
-    }
-
-
-    /// Say in the log what has just happened to the dyke.
-    void
-    report_events(const FailureRecord &before,
-                  const FailureRecord &now,
-                  Log                 &log)
-    {
-      char text[200];
-      for (const bool inner : {true, false})
-        {
-          const SlopeSlide &slide = inner ? now.inner_slide : now.outer_slide;
-          if (slide.time < 0. ||
-              (inner ? before.inner_slide : before.outer_slide).time >= 0.)
-            continue;
-          char cut[60] = "leaves the crest alone";
-          if (!std::isnan(slide.body.crest_cut))
-            std::snprintf(cut,
-                          sizeof cut,
-                          "cuts the crest at x = %.2f m",
-                          slide.body.crest_cut);
-          std::snprintf(text,
-                        sizeof text,
-                        "t = %.3f s: slide of the %s slope (%.1f m^2, %.0f %% "
-                        "of the profile; %s)",
-                        slide.time,
-                        inner ? "inner" : "outer",
-                        slide.body.area,
-                        100. * slide.body.share,
-                        cut);
-          log.line(text);
-        }
-      if (now.initial_time >= 0. && before.initial_time < 0.)
-        {
-          std::snprintf(text,
-                        sizeof text,
-                        "t = %.3f s: initial failure (%s)",
-                        now.initial_time,
-                        geometry_text(now).c_str());
-          log.line(text);
-        }
-      if (now.flooded() && !before.flooded())
-        {
-          std::snprintf(text,
-                        sizeof text,
-                        "t = %.3f s: flooding (%s)",
-                        now.flooding_time,
-                        geometry_text(now).c_str());
-          log.line(text);
-        }
-    }
-
-
-    /// Warn of what has just happened to the tractions: it is in the summary,
-    /// too.
-    void
-    report_tractions(const std::vector<TractionParameters> &parameters,
-                     const std::vector<TractionRecord>     &before,
-                     const std::vector<TractionRecord>     &now,
-                     Log                                   &log)
-    {
-      for (std::size_t i = 0; i < now.size(); ++i)
-        {
-          const TractionRecord was =
-            i < before.size() ? before[i] : TractionRecord();
-          const auto say = [&](const double       earlier,
-                               const double       time,
-                               const std::string &what) {
-            if (time < 0. || earlier >= 0.)
-              return;
-            char text[64];
-            std::snprintf(text, sizeof text, "t = %.3f s: traction ", time);
-            log.warning(text + parameters[i].name + " " + what);
-          };
-          say(
-            was.empty_time,
-            now[i].empty_time,
-            "loads nothing: no part of the surface is left in it; see Follows");
-          say(was.left_time,
-              now[i].left_time,
-              "has lost a part: soil that carried it has left the grid");
-          say(was.lost_time,
-              now[i].lost_time,
-              "loses more than 1 % of its load, on nodes without soil; see "
-              "Minimum support");
-        }
-    }
-
-
     /// What keeps a dyke moving may be the method: work goes in that comes out
     /// as mapping loss. "" if it is not that.
     template <int dim>
@@ -148,80 +55,29 @@ namespace Waker
     {
       const auto          start      = std::chrono::steady_clock::now();
       const std::uint64_t first_step = state.step;
-      const double        end_time   = the_case.parameters.time.end_time;
       Realisation<dim>    realisation(the_case, state);
+      RunWatcher<dim>     watcher(the_case.parameters,
+                              options,
+                              resumed,
+                              state,
+                              realisation,
+                              recorder,
+                              log);
 
-      Outcome       outcome = Outcome::numerical_failure;
-      Unrest        unrest;
-      std::string   reason;
-      RunStatus     status = RunStatus::completed;
-      bool          is_new = !resumed; // this moment is not in the files yet
-      bool          held   = false;    // domains, at the size of a cell
-      std::uint64_t unconverged = state.unconverged_steps;
+      Outcome     outcome = Outcome::numerical_failure;
+      Unrest      unrest;
+      std::string reason;
+      RunStatus   status = RunStatus::completed;
       try
         {
-          while (true)
+          const StopReason stop = run_to_end(realisation, watcher);
+          if (stop == StopReason::none)
+            status = RunStatus::interrupted;
+          else
             {
-              const FailureRecord               before = state.failure;
-              const std::vector<TractionRecord> loads  = state.tractions;
-              const StopReason                  stop   = realisation.look();
-              report_events(before, state.failure, log);
-              report_tractions(the_case.parameters.tractions,
-                               loads,
-                               state.tractions,
-                               log);
-              const bool last = stop != StopReason::none;
-              if (is_new)
-                {
-                  recorder.record(realisation.view(), last);
-                  recorder.checkpoint(state, last || interrupted(options));
-                }
-              is_new = true;
-              if (last)
-                {
-                  unrest  = realisation.unrest();
-                  outcome = outcome_of(state.failure, unrest);
-                  reason  = to_string(stop);
-                  break;
-                }
-              if (interrupted(options))
-                {
-                  status = RunStatus::interrupted;
-                  break;
-                }
-              realisation.advance();
-
-              if (!held && realisation.view().report.held_domains > 0)
-                {
-                  held = true;
-                  log.line(
-                    "t = " + std::to_string(state.time) +
-                    " s: from now on stretched support domains are held "
-                    "at the size of a cell (" +
-                    std::to_string(realisation.view().report.held_domains) +
-                    " points)");
-                }
-
-              if (state.unconverged_steps > unconverged)
-                {
-                  log.line(
-                    "t = " + std::to_string(state.time) + " s: " +
-                    std::to_string(state.unconverged_steps - unconverged) +
-                    " unconverged attempt(s), dt = " +
-                    std::to_string(state.last_dt) + " s");
-                  unconverged = state.unconverged_steps;
-                }
-              if (log.progress_due())
-                {
-                  char text[160];
-                  std::snprintf(text,
-                                sizeof text,
-                                "t = %.2f of at most %g s, %s",
-                                state.time,
-                                end_time,
-                                geometry_text(state.failure).c_str());
-                  log.progress(state.time / end_time, text);
-                }
+              unrest  = realisation.unrest();
+              outcome = outcome_of(state.failure, unrest);
+              reason  = to_string(stop);
             }
         }
       catch (const NumericalFailure &failure)

@@ -10,8 +10,8 @@
 #include <waker/simulation/describe.h>
 #include <waker/simulation/factor_report.h>
 #include <waker/simulation/judge_trial.h>
-#include <waker/simulation/realisation.h>
 #include <waker/simulation/run.h>
+#include <waker/simulation/run_to_end.h>
 #include <waker/simulation/strengths.h>
 #include <waker/simulation/trial_table.h>
 
@@ -27,6 +27,60 @@ namespace Waker
     {};
 
 
+    /// Shows how far a trial is.
+    template <int dim>
+    class TrialWatcher : public Watcher
+    {
+    public:
+      TrialWatcher(const State<dim>  &state,
+                   const double       end_time,
+                   const double       factor,
+                   const std::string &progress,
+                   const RunOptions  &options,
+                   Log               &log)
+        : state(state)
+        , end_time(end_time)
+        , factor(factor)
+        , progress(progress)
+        , options(options)
+        , log(log)
+      {}
+
+      bool
+      looked(const StopReason stop) override
+      {
+        if (stop == StopReason::none && options.interrupt != nullptr &&
+            *options.interrupt != 0)
+          throw Interrupted();
+        return true;
+      }
+
+      void
+      advanced() override
+      {
+        if (!log.progress_due())
+          return;
+        char text[120];
+        std::snprintf(text,
+                      sizeof text,
+                      "%s, factor %.4f, t = %.2f s, W = %.2f m",
+                      progress.c_str(),
+                      factor,
+                      state.time,
+                      state.failure.geometry.width);
+        log.progress(state.time / end_time, text);
+      }
+
+    private:
+      const State<dim>  &state;
+      const double       end_time;
+      const double       factor;
+      const std::string &progress;
+      const RunOptions  &options;
+      Log               &log;
+    };
+
+
     /// @param first state at t = 0, strengths not yet divided
     template <int dim>
     Trial
@@ -39,26 +93,14 @@ namespace Waker
     {
       State<dim> state = first;
       divide_strengths(the_case.materials, factor, state.points);
-      Realisation<dim> realisation(the_case, state);
-      while (realisation.look() == StopReason::none)
-        {
-          if (options.interrupt != nullptr && *options.interrupt != 0)
-            throw Interrupted();
-          realisation.advance();
-          if (log.progress_due())
-            {
-              char text[120];
-              std::snprintf(text,
-                            sizeof text,
-                            "%s, factor %.4f, t = %.2f s, W = %.2f m",
-                            progress.c_str(),
-                            factor,
-                            state.time,
-                            state.failure.geometry.width);
-              log.progress(state.time / the_case.parameters.time.end_time,
-                           text);
-            }
-        }
+      Realisation<dim>  realisation(the_case, state);
+      TrialWatcher<dim> watcher(state,
+                                the_case.parameters.time.end_time,
+                                factor,
+                                progress,
+                                options,
+                                log);
+      run_to_end(realisation, watcher);
       log.end_progress();
       return judge_trial(state.failure,
                          realisation.unrest(),
@@ -79,23 +121,25 @@ namespace Waker
                Log               &log)
     {
       Trial trial;
-      for (unsigned int attempt = 0; attempt < cases.size(); ++attempt)
-        try
-          {
-            trial =
-              try_factor(cases[attempt], first, factor, progress, options, log);
-            trial.attempts = attempt + 1;
-            return trial;
-          }
-        catch (const NumericalFailure &failure)
-          {
-            log.end_progress();
-            log.line("  factor " + std::to_string(factor) + ", attempt " +
-                     std::to_string(attempt + 1) +
-                     ": numerical failure: " + failure.what());
-          }
-      trial.outcome  = "numerical failure";
-      trial.attempts = cases.size();
+      trial.outcome = to_string(Outcome::numerical_failure);
+      trial.attempts =
+        1 + cases.until_it_works([&](const Case<dim>   &the_case,
+                                     const unsigned int attempt) {
+          try
+            {
+              trial =
+                try_factor(the_case, first, factor, progress, options, log);
+              return true;
+            }
+          catch (const NumericalFailure &failure)
+            {
+              log.end_progress();
+              log.line("  factor " + std::to_string(factor) + ", attempt " +
+                       std::to_string(attempt + 1) +
+                       ": numerical failure: " + failure.what());
+              return false;
+            }
+        });
       return trial;
     }
 
@@ -194,7 +238,7 @@ namespace Waker
                                  std::to_string(parameters.time.end_time) + " s"
                              : strengths.key) +
       ", strengths: " + strengths.name +
-      ", reading: " + parameters.strength_reduction.reading;
+      ", reading: " + name_of(parameters.strength_reduction.reading);
     const FolderLock lock = lock_folder(directory, "waker strength-reduction");
     TrialTable       table(directory, key, options.resume);
     prepare_output_folder(directory, mode, parameters.text);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/mechanics/mixed_cells.h>
 #include <waker/simulation/plausibility.h>
-#include <waker/simulation/realisation.h>
+#include <waker/simulation/run_to_end.h>
 
 #include "named.h"
 #include <algorithm>
@@ -122,8 +122,7 @@ TEST(MixedCells, level_ground_stays_at_rest)
       const Case<2>  the_case(p, MPI_COMM_SELF);
       State<2>       state = initial_state(the_case);
       Realisation<2> realisation(the_case, state);
-      while (realisation.look() == StopReason::none)
-        realisation.advance();
+      run_to_end(realisation);
       double furthest = 0., plastic = 0.;
       for (std::size_t q = 0; q < state.points.n_points(); ++q)
         furthest = std::max(furthest,

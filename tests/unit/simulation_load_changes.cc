@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
 #include <waker/program/parameter_reader.h>
-#include <waker/simulation/realisation.h>
+#include <waker/simulation/run_to_end.h>
 
 #include "loaded_bar.h"
 #include <gtest/gtest.h>
@@ -36,11 +36,9 @@ namespace
     {
       const Case<2> the_case(bar.parameters, MPI_COMM_SELF);
       state = initial_state(the_case);
-      Realisation<2> realisation(the_case, state);
-      StopReason     stop;
-      while ((stop = realisation.look()) == StopReason::none)
-        realisation.advance();
-      unrest = realisation.unrest();
+      Realisation<2>   realisation(the_case, state);
+      const StopReason stop = run_to_end(realisation);
+      unrest                = realisation.unrest();
       return stop;
     }
 

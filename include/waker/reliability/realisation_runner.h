@@ -75,7 +75,7 @@ namespace Waker
   private:
     /// @return false if interrupted
     bool
-    run_to_end(const Case<dim>                  &the_case,
+    record_run(const Case<dim>                  &the_case,
                const volatile std::sig_atomic_t *interrupt,
                State<dim>                       &state,
                Record                           &record) const;

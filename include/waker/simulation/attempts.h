@@ -9,6 +9,32 @@
 
 namespace Waker
 {
+  /// The time step (s) of an attempt: halved as often.
+  double
+  time_step_of_attempt(const double time_step, const unsigned int attempt);
+
+  /**
+   * Make attempts until one does not fail numerically, or all are used up: the
+   * one place that tries again.
+   *
+   * @param first number of the first attempt
+   * @param n attempts in all
+   * @param works makes the attempt of a number; false: it has failed
+   * @return the number of the attempt that was made last
+   */
+  template <typename Attempt>
+  unsigned int
+  attempt_until_it_works(const unsigned int first,
+                         const unsigned int n,
+                         const Attempt     &works)
+  {
+    unsigned int attempt = first;
+    while (!works(attempt) && attempt + 1 < n)
+      ++attempt;
+    return attempt;
+  }
+
+
   /// A realisation that fails numerically is begun again with half the time
   /// step: the case of each attempt, made when it is first asked for.
   template <int dim>
@@ -37,6 +63,17 @@ namespace Waker
     /// The case with the time step halved `attempt` times.
     const Case<dim> &
     operator[](const unsigned int attempt);
+
+    /// attempt_until_it_works() on these cases.
+    /// @param works gets the case and the number of the attempt
+    template <typename Attempt>
+    unsigned int
+    until_it_works(const Attempt &works)
+    {
+      return attempt_until_it_works(0, n, [&](const unsigned int attempt) {
+        return works((*this)[attempt], attempt);
+      });
+    }
 
   private:
     void

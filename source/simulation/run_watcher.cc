@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "run_watcher.h"
+
+#include <waker/simulation/describe.h>
+
+#include <cmath>
+#include <cstdio>
+
+namespace Waker
+{
+  namespace
+  {
+    /// Say in the log what has just happened to the dyke.
+    void
+    report_events(const FailureRecord &before,
+                  const FailureRecord &now,
+                  Log                 &log)
+    {
+      char text[200];
+      for (const bool inner : {true, false})
+        {
+          const SlopeSlide &slide = inner ? now.inner_slide : now.outer_slide;
+          if (slide.time < 0. ||
+              (inner ? before.inner_slide : before.outer_slide).time >= 0.)
+            continue;
+          char cut[60] = "leaves the crest alone";
+          if (!std::isnan(slide.body.crest_cut))
+            std::snprintf(cut,
+                          sizeof cut,
+                          "cuts the crest at x = %.2f m",
+                          slide.body.crest_cut);
+          std::snprintf(text,
+                        sizeof text,
+                        "t = %.3f s: slide of the %s slope (%.1f m^2, %.0f %% "
+                        "of the profile; %s)",
+                        slide.time,
+                        inner ? "inner" : "outer",
+                        slide.body.area,
+                        100. * slide.body.share,
+                        cut);
+          log.line(text);
+        }
+      if (now.initial_time >= 0. && before.initial_time < 0.)
+        {
+          std::snprintf(text,
+                        sizeof text,
+                        "t = %.3f s: initial failure (%s)",
+                        now.initial_time,
+                        geometry_text(now).c_str());
+          log.line(text);
+        }
+      if (now.flooded() && !before.flooded())
+        {
+          std::snprintf(text,
+                        sizeof text,
+                        "t = %.3f s: flooding (%s)",
+                        now.flooding_time,
+                        geometry_text(now).c_str());
+          log.line(text);
+        }
+    }
+
+
+    /// Warn of what has just happened to the tractions: it is in the summary,
+    /// too.
+    void
+    report_tractions(const std::vector<TractionParameters> &parameters,
+                     const std::vector<TractionRecord>     &before,
+                     const std::vector<TractionRecord>     &now,
+                     Log                                   &log)
+    {
+      for (std::size_t i = 0; i < now.size(); ++i)
+        {
+          const TractionRecord was =
+            i < before.size() ? before[i] : TractionRecord();
+          const auto say = [&](const double       earlier,
+                               const double       time,
+                               const std::string &what) {
+            if (time < 0. || earlier >= 0.)
+              return;
+            char text[64];
+            std::snprintf(text, sizeof text, "t = %.3f s: traction ", time);
+            log.warning(text + parameters[i].name + " " + what);
+          };
+          say(
+            was.empty_time,
+            now[i].empty_time,
+            "loads nothing: no part of the surface is left in it; see Follows");
+          say(was.left_time,
+              now[i].left_time,
+              "has lost a part: soil that carried it has left the grid");
+          say(was.lost_time,
+              now[i].lost_time,
+              "loses more than 1 % of its load, on nodes without soil; see "
+              "Minimum support");
+        }
+    }
+  } // namespace
+
+
+  template <int dim>
+  RunWatcher<dim>::RunWatcher(const Parameters &parameters,
+                              const RunOptions &options,
+                              const bool        resumed,
+                              const State<dim> &state,
+                              Realisation<dim> &realisation,
+                              Recorder<dim>    &recorder,
+                              Log              &log)
+    : parameters(parameters)
+    , options(options)
+    , state(state)
+    , realisation(realisation)
+    , recorder(recorder)
+    , log(log)
+    , failure(state.failure)
+    , tractions(state.tractions)
+    , is_new(!resumed)
+    , unconverged(state.unconverged_steps)
+  {}
+
+
+  template <int dim>
+  bool
+  RunWatcher<dim>::is_interrupted() const
+  {
+    return options.interrupt != nullptr && *options.interrupt != 0;
+  }
+
+
+  template <int dim>
+  bool
+  RunWatcher<dim>::looked(const StopReason stop)
+  {
+    report_events(failure, state.failure, log);
+    report_tractions(parameters.tractions, tractions, state.tractions, log);
+    failure         = state.failure;
+    tractions       = state.tractions;
+    const bool last = stop != StopReason::none;
+    if (is_new)
+      {
+        recorder.record(realisation.view(), last);
+        recorder.checkpoint(state, last || is_interrupted());
+      }
+    is_new = true;
+    return last || !is_interrupted();
+  }
+
+
+  template <int dim>
+  void
+  RunWatcher<dim>::advanced()
+  {
+    if (!held && realisation.view().report.held_domains > 0)
+      {
+        held = true;
+        log.line("t = " + std::to_string(state.time) +
+                 " s: from now on stretched support domains are held "
+                 "at the size of a cell (" +
+                 std::to_string(realisation.view().report.held_domains) +
+                 " points)");
+      }
+    if (state.unconverged_steps > unconverged)
+      {
+        log.line(
+          "t = " + std::to_string(state.time) +
+          " s: " + std::to_string(state.unconverged_steps - unconverged) +
+          " unconverged attempt(s), dt = " + std::to_string(state.last_dt) +
+          " s");
+        unconverged = state.unconverged_steps;
+      }
+    if (log.progress_due())
+      {
+        char text[160];
+        std::snprintf(text,
+                      sizeof text,
+                      "t = %.2f of at most %g s, %s",
+                      state.time,
+                      parameters.time.end_time,
+                      geometry_text(state.failure).c_str());
+        log.progress(state.time / parameters.time.end_time, text);
+      }
+  }
+
+
+  template class RunWatcher<2>;
+  template class RunWatcher<3>;
+} // namespace Waker

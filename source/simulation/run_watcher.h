@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_source_simulation_run_watcher_h
+#define waker_source_simulation_run_watcher_h
+
+#include <waker/base/log.h>
+#include <waker/simulation/recorder.h>
+#include <waker/simulation/run.h>
+#include <waker/simulation/run_to_end.h>
+
+#include <vector>
+
+namespace Waker
+{
+  /// Writes the files of a run, and says in the log what happens.
+  template <int dim>
+  class RunWatcher : public Watcher
+  {
+  public:
+    /// All are kept by reference.
+    /// @param resumed the moment that the state is of is in the files
+    RunWatcher(const Parameters &parameters,
+               const RunOptions &options,
+               const bool        resumed,
+               const State<dim> &state,
+               Realisation<dim> &realisation,
+               Recorder<dim>    &recorder,
+               Log              &log);
+
+    bool
+    looked(const StopReason stop) override;
+
+    void
+    advanced() override;
+
+  private:
+    bool
+    is_interrupted() const;
+
+    const Parameters &parameters;
+    const RunOptions &options;
+    const State<dim> &state;
+    Realisation<dim> &realisation;
+    Recorder<dim>    &recorder;
+    Log              &log;
+
+    // As of the moment before.
+    FailureRecord               failure;
+    std::vector<TractionRecord> tractions;
+
+    bool          is_new;       // this moment is not in the files yet
+    bool          held = false; // domains, at the size of a cell
+    std::uint64_t unconverged;
+  };
+} // namespace Waker
+
+#endif
