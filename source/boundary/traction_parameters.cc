@@ -14,37 +14,59 @@
 
 namespace Waker
 {
-  namespace
+  MethodFacts
+  facts_of(const TractionMethod method)
   {
-    /// Is there something in this method's surface that moves with the soil?
-    bool
-    can_ride(const TractionMethod method)
-    {
-      switch (method)
-        {
-          case TractionMethod::contour:
-          case TractionMethod::proximity_field:
-          case TractionMethod::user_surface:
-            return true;
-          case TractionMethod::fixed_points:
-          case TractionMethod::updated_points:
-          case TractionMethod::surface_nodes:
-          case TractionMethod::volume:
-            return false;
-        }
-      return false;
-    }
-  } // namespace
+    MethodFacts facts;
+    switch (method)
+      {
+        case TractionMethod::fixed_points:
+          facts.on_points = facts.is_fixed = true;
+          return facts;
+        case TractionMethod::updated_points:
+          facts.on_points = true;
+          return facts;
+        case TractionMethod::surface_nodes:
+          return facts;
+        case TractionMethod::proximity_field:
+        case TractionMethod::contour:
+          facts.can_ride = true;
+          return facts;
+        case TractionMethod::user_surface:
+          facts.can_ride = facts.needs_file = true;
+          return facts;
+        case TractionMethod::volume:
+          facts.needs_linear = true;
+          return facts;
+      }
+    AssertThrow(false, ExcInternalError());
+    return facts;
+  }
 
 
   bool
   TractionParameters::rides() const
   {
-    if (!can_ride(method))
+    if (!facts_of(method).can_ride)
       return false; // fixed points do by themselves
     return follows == TractionFollows::soil ||
            (follows == TractionFollows::automatic && !from.empty() &&
             kind != TractionKind::hydrostatic);
+  }
+
+
+  bool
+  TractionParameters::goes_with_soil() const
+  {
+    return rides() || facts_of(method).is_fixed;
+  }
+
+
+  bool
+  TractionParameters::has_user_surface() const
+  {
+    const MethodFacts facts = facts_of(method);
+    return facts.needs_file || (facts.on_points && !surface_file.empty());
   }
 
 
@@ -152,21 +174,20 @@ namespace Waker
                           " numbers (Dimension = " + std::to_string(dim) +
                           "), or nothing" + decimals_with_a_point);
     };
-    if (method == TractionMethod::volume && functions != ShapeFunctions::linear)
+    const MethodFacts facts = facts_of(method);
+    if (facts.needs_linear && functions != ShapeFunctions::linear)
       throw UserError(path + "Method",
-                      "is volume, which fits the internal force of linear "
-                      "functions, but Kinematics and mapping/Functions is " +
+                      "is " + std::string(name_of(method)) +
+                        ", which fits the internal force of linear "
+                        "functions, but Kinematics and mapping/Functions is " +
                         std::string(name_of(functions)),
                       "contour (which with GIMP is what volume is without), "
                       "or Kinematics and mapping/Functions = linear");
-    const bool on_points = method == TractionMethod::fixed_points ||
-                           method == TractionMethod::updated_points;
-    if (method == TractionMethod::user_surface && surface_file.empty())
+    if (facts.needs_file && surface_file.empty())
       throw UserError(path + "Surface file",
                       "is empty, but Method is user surface",
                       "the file with the surface that is loaded");
-    if (!surface_file.empty() && method != TractionMethod::user_surface &&
-        !on_points)
+    if (!surface_file.empty() && !facts.needs_file && !facts.on_points)
       throw UserError(path + "Surface file",
                       "is given, but the method \"" +
                         std::string(name_of(method)) +
@@ -210,16 +231,14 @@ namespace Waker
                       "is soil, but Kind is hydrostatic: a liquid stays where "
                       "it stands",
                       "space or automatic; or Kind = pressure");
-    if (follows == TractionFollows::soil && !can_ride(method) &&
-        method != TractionMethod::fixed_points)
+    if (follows == TractionFollows::soil && !facts.can_ride && !facts.is_fixed)
       throw UserError(path + "Follows",
                       "is soil, but the method \"" +
                         std::string(name_of(method)) +
                         "\" finds its surface anew in every step",
                       "space or automatic; or Method = contour, proximity "
                       "field, user surface or fixed points");
-    if (follows == TractionFollows::space &&
-        method == TractionMethod::fixed_points)
+    if (follows == TractionFollows::space && facts.is_fixed)
       throw UserError(path + "Follows",
                       "is space, but fixed points carry their loads with them",
                       "soil or automatic; or Method = updated points");

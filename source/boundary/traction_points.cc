@@ -20,7 +20,7 @@ namespace Waker
   Tractions<dim>::has_fixed_loads(const Item                &item,
                                   const MaterialPoints<dim> &points) const
   {
-    return item.parameters.method == TractionMethod::fixed_points &&
+    return item.placement->is_fixed() &&
            points.find_scalar(array_name(item.parameters, 0)) >= 0;
   }
 
@@ -47,7 +47,7 @@ namespace Waker
   Tractions<dim>::fix_point_loads(MaterialPoints<dim> &points)
   {
     for (Item &item : items)
-      if (item.parameters.method == TractionMethod::fixed_points)
+      if (item.placement->is_fixed())
         {
           item.traction.set_time(0.);
           item.loaded = item.part;

@@ -52,8 +52,7 @@ namespace Waker
     for (const Facet<dim> &facet : item.loaded)
       resultant.measure += facet.measure();
     // Loads that were fixed have no facets any more.
-    if (item.parameters.method == TractionMethod::fixed_points &&
-        item.loaded.empty())
+    if (item.placement->is_fixed() && item.loaded.empty())
       resultant.measure = item.riding->measure;
     return resultant;
   }
@@ -72,8 +71,7 @@ namespace Waker
     for (std::size_t i = 0; i < items.size(); ++i)
       {
         const Item &item = items[i];
-        note(item.part.empty() &&
-               item.parameters.method != TractionMethod::fixed_points,
+        note(item.part.empty() && !item.placement->is_fixed(),
              records[i].empty_time);
         note(item.rides() && item.part.size() < item.riding->pieces.size(),
              records[i].left_time);

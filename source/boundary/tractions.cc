@@ -9,49 +9,6 @@
 
 namespace Waker
 {
-  namespace
-  {
-    bool
-    on_points(const TractionParameters &parameters)
-    {
-      return parameters.method == TractionMethod::fixed_points ||
-             parameters.method == TractionMethod::updated_points;
-    }
-
-
-    bool
-    has_surface(const TractionParameters &parameters)
-    {
-      return parameters.method == TractionMethod::user_surface ||
-             (on_points(parameters) && !parameters.surface_file.empty());
-    }
-
-
-    /// The surface that is found for a method.
-    FoundSurface
-    found_by(const TractionMethod method)
-    {
-      switch (method)
-        {
-          case TractionMethod::proximity_field:
-            return FoundSurface::proximity_field;
-          case TractionMethod::surface_nodes:
-            return FoundSurface::surface_nodes;
-          case TractionMethod::volume:
-            return FoundSurface::volume;
-          case TractionMethod::fixed_points:
-          case TractionMethod::updated_points:
-          case TractionMethod::contour:
-            return FoundSurface::contour;
-          case TractionMethod::user_surface:
-            break; // is not found
-        }
-      AssertThrow(false, ExcInternalError());
-      return FoundSurface::contour;
-    }
-  } // namespace
-
-
   template <int dim>
   std::vector<UserSurface<dim>>
   read_surfaces(const std::vector<TractionParameters> &tractions,
@@ -59,7 +16,7 @@ namespace Waker
   {
     std::vector<UserSurface<dim>> surfaces(tractions.size());
     for (std::size_t i = 0; i < tractions.size(); ++i)
-      if (has_surface(tractions[i]))
+      if (tractions[i].has_user_surface())
         surfaces[i] = read_user_surface<dim>(tractions[i].surface_file,
                                              "Tractions/" + tractions[i].name +
                                                "/Surface file",
@@ -84,8 +41,8 @@ namespace Waker
       {
         items.push_back({parameters[i],
                          Traction<dim>(parameters[i], tolerance),
-                         has_surface(parameters[i]) ? &surfaces[i] : nullptr,
                          &riding[i],
+                         make_placement(parameters[i], surfaces[i]),
                          {},
                          {},
                          {},
@@ -100,8 +57,7 @@ namespace Waker
   Tractions<dim>::moves() const
   {
     return std::any_of(items.begin(), items.end(), [](const Item &item) {
-      return item.parameters.method != TractionMethod::fixed_points &&
-             item.traction.moves();
+      return !item.placement->is_fixed() && item.traction.moves();
     });
   }
 
@@ -112,7 +68,7 @@ namespace Waker
   {
     double last = LastChange::never;
     for (const Item &item : items)
-      if (item.parameters.method != TractionMethod::fixed_points)
+      if (!item.placement->is_fixed())
         last = std::max(last, item.traction.last_change());
     return last;
   }
@@ -123,7 +79,7 @@ namespace Waker
   Tractions<dim>::varying(const double from, const double to) const
   {
     for (const Item &item : items)
-      if (item.parameters.method != TractionMethod::fixed_points &&
+      if (!item.placement->is_fixed() &&
           item.traction.varies(item.part, from, to))
         return "Tractions/" + item.parameters.name;
     return "";
@@ -147,7 +103,7 @@ namespace Waker
             continue;
           }
         const std::string path = "Tractions/" + item.parameters.name;
-        if (item.surface != nullptr ||
+        if (item.placement->is_carried() ||
             (item.rides() && !item.riding->on_points))
           {
             for (const Point<dim> &x : vertices[i])
@@ -158,16 +114,10 @@ namespace Waker
           }
         if (item.rides())
           item.riding->place(points, vertices[i], item.part, item.placed);
-        else if (item.surface != nullptr)
-          {
-            item.surface->to_facets(vertices[i], user_facets);
-            item.traction.select(user_facets, item.part);
-          }
         else
-          item.traction.select(finder.facets(found_by(item.parameters.method),
-                                             path + "/Method"),
-                               item.part);
-        if (on_points(item.parameters) && !sorted)
+          item.traction.select(
+            item.placement->surface(vertices[i], finder, path), item.part);
+        if (item.placement->on_points() && !sorted)
           {
             shares.sort(points);
             sorted = true;
@@ -186,12 +136,12 @@ namespace Waker
       {
         const Item &item = items[i];
         Assert(item.riding == &riding[i], ExcInternalError());
-        if (item.parameters.method == TractionMethod::fixed_points)
+        if (item.placement->is_fixed())
           for (const Facet<dim> &facet : item.loaded)
             riding[i].measure += facet.measure();
         if (!item.parameters.rides())
           continue;
-        if (item.surface != nullptr)
+        if (item.placement->is_carried())
           riding[i].ride_on_vertices(item.part);
         else
           {
@@ -218,7 +168,7 @@ namespace Waker
         item.loaded = item.part;
         item.traction.keep_loaded(item.loaded);
         load.clear();
-        if (on_points(item.parameters))
+        if (item.placement->on_points())
           add_point_loads(item, points);
         else
           add_facets(item);

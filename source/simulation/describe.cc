@@ -103,8 +103,7 @@ namespace Waker
         force.precision(4);
         for (unsigned int d = 0; d < dim; ++d)
           force << (d > 0 ? ", " : "") << initial.force[d];
-        const bool rides =
-          traction.rides() || traction.method == TractionMethod::fixed_points;
+        const bool rides = traction.goes_with_soil();
         say(log,
             "  traction  %s: %s on %s, (%s) kN on %.4g %s, %s",
             traction.name.c_str(),

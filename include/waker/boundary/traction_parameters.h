@@ -60,6 +60,25 @@ namespace Waker
   }
 
 
+  /// What the input of a traction must know of its method.
+  struct MethodFacts
+  {
+    /// Are loads given to points? Then the surface may be the user's.
+    bool on_points = false;
+    /// ... which keep them.
+    bool is_fixed = false;
+    /// Is there something in its surface that a load can ride on?
+    bool can_ride = false;
+    /// Must the surface be the user's?
+    bool needs_file = false;
+    /// Does it fit the internal force of linear functions only?
+    bool needs_linear = false;
+  };
+
+  MethodFacts
+  facts_of(const TractionMethod method);
+
+
   /// What a traction is.
   enum class TractionKind
   {
@@ -151,6 +170,14 @@ namespace Waker
     /// stays where it stands, and the faces of cells do not move.
     bool
     rides() const;
+
+    /// Does the load go with the soil, in one way or another?
+    bool
+    goes_with_soil() const;
+
+    /// Is there a surface of the user's?
+    bool
+    has_user_surface() const;
 
     void
     add_parameters(ParameterHandler &prm);

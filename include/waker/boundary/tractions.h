@@ -3,6 +3,7 @@
 #define waker_boundary_tractions_h
 
 #include <waker/boundary/facet_load.h>
+#include <waker/boundary/placement.h>
 #include <waker/boundary/point_shares.h>
 #include <waker/boundary/riding_load.h>
 #include <waker/boundary/surface_finder.h>
@@ -11,6 +12,7 @@
 #include <waker/nodes/nodal_vector.h>
 
 #include <deque>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -170,14 +172,14 @@ namespace Waker
   private:
     struct Item
     {
-      TractionParameters          parameters;
-      Traction<dim>               traction;
-      const UserSurface<dim>     *surface;     // or null
-      const RidingLoad<dim>      *riding;      // if it has pieces
-      Facets<dim>                 part;        // that may be loaded
-      Facets<dim>                 loaded;      // at the time
-      std::vector<Tensor<1, dim>> point_loads; // kN
-      NodalVector                 force;       // kN
+      TractionParameters                      parameters;
+      Traction<dim>                           traction;
+      const RidingLoad<dim>                  *riding; // if it has pieces
+      std::unique_ptr<TractionPlacement<dim>> placement;
+      Facets<dim>                             part;        // that may be loaded
+      Facets<dim>                             loaded;      // at the time
+      std::vector<Tensor<1, dim>>             point_loads; // kN
+      NodalVector                             force;       // kN
       /// Of the facets, if it rides.
       std::vector<typename RidingLoad<dim>::Placed> placed;
       /// Sizes of the nodal forces, and of those on nodes without mass (kN).
@@ -210,7 +212,6 @@ namespace Waker
     std::deque<Item>           items; // they do not move
     FacetLoad<dim>             load;
     PointShares<dim>           shares;
-    Facets<dim>                user_facets;
   };
 } // namespace Waker
 
