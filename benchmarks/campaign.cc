@@ -2,9 +2,9 @@
 //
 // Realisations of the base case of chapter 5 as a campaign runs them, fields
 // included: what an hour on one core is worth.
+#include <waker/campaign/input.h>
+#include <waker/campaign/realisation_runner.h>
 #include <waker/program/parameter_reader.h>
-#include <waker/reliability/input.h>
-#include <waker/reliability/realisation_runner.h>
 
 #include "dyke.h"
 #include <ctime>

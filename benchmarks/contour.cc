@@ -6,11 +6,11 @@
 // seconds that it took to find out which. Over a whole run of the weak dyke:
 // what detection, load and all of a step take on average (s), and the shares of
 // the first two, with the proximity field and with the contour.
-#include <waker/boundary/box_union_contour.h>
-#include <waker/boundary/domain_contour.h>
-#include <waker/boundary/surface_finder.h>
-#include <waker/boundary/water_load.h>
+#include <waker/loads/water_load.h>
 #include <waker/program/parameter_reader.h>
+#include <waker/surface/boxes/box_union_contour.h>
+#include <waker/surface/domain_contour.h>
+#include <waker/surface/surface_finder.h>
 
 #include "dyke.h"
 #include <ctime>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <waker/boundary/liquid.h>
-#include <waker/boundary/surface.h>
-#include <waker/boundary/wetted_surface.h>
+#include <waker/loads/liquid.h>
+#include <waker/loads/wetted_surface.h>
 #include <waker/output/surface_writer.h>
+#include <waker/surface/shape/surface.h>
 
 #include "vtu.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <waker/boundary/tractions.h>
+#include <waker/loads/tractions.h>
 #include <waker/output/traction_writer.h>
 
 #include "vtu.h"

@@ -2,12 +2,12 @@
 #include <deal.II/base/mpi.h>
 
 #include <waker/base/errors.h>
+#include <waker/campaign/campaign.h>
+#include <waker/campaign/snapshots.h>
+#include <waker/campaign/strength_reduction.h>
 #include <waker/program/compute.h>
 #include <waker/program/exit_codes.h>
 #include <waker/program/parameter_reader.h>
-#include <waker/reliability/campaign.h>
-#include <waker/reliability/snapshots.h>
-#include <waker/reliability/strength_reduction.h>
 
 #include <csignal>
 #include <cstdlib>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/parameter_handler.h>
 
+#include <waker/campaign/input.h>
 #include <waker/program/declared_parameters.h>
 #include <waker/program/prm_scanner.h>
-#include <waker/reliability/input.h>
 
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>

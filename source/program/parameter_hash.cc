@@ -2,9 +2,9 @@
 #include <waker/base/errors.h>
 #include <waker/base/hash.h>
 #include <waker/base/read_file.h>
+#include <waker/campaign/free_parameters.h>
 #include <waker/output/output_files.h>
 #include <waker/program/parameter_hash.h>
-#include <waker/reliability/free_parameters.h>
 
 #include <algorithm>
 

@@ -2,10 +2,10 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <waker/base/errors.h>
+#include <waker/campaign/input.h>
 #include <waker/program/declared_parameters.h>
 #include <waker/program/parameter_printer.h>
 #include <waker/program/prm_scanner.h>
-#include <waker/reliability/input.h>
 
 #include <algorithm>
 #include <ostream>

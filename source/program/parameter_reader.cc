@@ -3,6 +3,7 @@
 
 #include <waker/base/errors.h>
 #include <waker/base/read_file.h>
+#include <waker/campaign/input.h>
 #include <waker/program/declared_parameters.h>
 #include <waker/program/parameter_hash.h>
 #include <waker/program/parameter_names.h>
@@ -10,7 +11,6 @@
 #include <waker/program/parameter_text.h>
 #include <waker/program/prm_scanner.h>
 #include <waker/program/suggestions.h>
-#include <waker/reliability/input.h>
 
 #include <algorithm>
 #include <cstdint>

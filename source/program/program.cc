@@ -5,14 +5,14 @@
 #include <waker/base/file_error.h>
 #include <waker/base/log.h>
 #include <waker/base/read_file.h>
+#include <waker/campaign/campaign_folder.h>
 #include <waker/program/command_line.h>
 #include <waker/program/compute.h>
 #include <waker/program/exit_codes.h>
 #include <waker/program/parameter_printer.h>
 #include <waker/program/parameter_reader.h>
 #include <waker/program/program.h>
-#include <waker/reliability/campaign_files.h>
-#include <waker/reliability/campaign_folder.h>
+#include <waker/store/campaign_files.h>
 
 #include <iostream>
 

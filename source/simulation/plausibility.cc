@@ -68,9 +68,9 @@ namespace Waker
       for (const TractionParameters &t : p.tractions)
         {
           const TractionParameters usual;
-          const std::string        path   = "Tractions/" + t.name + "/";
-          const std::string        choice = std::string("Kind = ") + name_of(t.kind);
-          const bool               liquid = t.kind == TractionKind::hydrostatic;
+          const std::string        path = "Tractions/" + t.name + "/";
+          const std::string choice = std::string("Kind = ") + name_of(t.kind);
+          const bool        liquid = t.kind == TractionKind::hydrostatic;
           warn_unused(!liquid && t.level != usual.level,
                       path + "Level",
                       choice,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
-#include <waker/boundary/liquid.h>
+#include <waker/loads/liquid.h>
 #include <waker/output/files.h>
 #include <waker/output/grid_writer.h>
 #include <waker/output/output_files.h>

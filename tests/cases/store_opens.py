@@ -140,7 +140,7 @@ def check_with_xarray(path):
 
 
 def check_values(data):
-    """The records of tests/unit/reliability_records.h."""
+    """The records of tests/unit/store_records.h."""
     check(data["realisation"].values.tolist() == [0, 1, 2, 5, 7], "realisations")
     check(data["scenario_value"].values.tolist() == ["4.5", "3,5 µm"], "texts")
     check(data["scale_x"][0] == 6. and np.isnan(data["scale_x"][1]), "scale_x")

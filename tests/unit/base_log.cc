@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <sstream>
 
-namespace Waker
+namespace Waker::base_log
 {
   TEST(Base, log_writes_to_screen_and_file)
   {
@@ -74,4 +74,4 @@ namespace Waker
       log.progress(i / 1000., "step");
     EXPECT_EQ(screen.str(), "");
   }
-} // namespace Waker
+} // namespace Waker::base_log

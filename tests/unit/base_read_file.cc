@@ -7,7 +7,7 @@
 #include <sstream>
 #include <sys/stat.h>
 
-namespace Waker
+namespace Waker::base_read_file
 {
   TEST(Base, file_is_read_whole)
   {
@@ -89,4 +89,4 @@ namespace Waker
                           "has more than 10 bytes");
       }
   }
-} // namespace Waker
+} // namespace Waker::base_read_file

@@ -7,37 +7,40 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace
+namespace base_text
 {
-  using namespace Waker;
-  using Parts = std::vector<std::string>;
-
-
-  TEST(Base, split_keeps_empty_parts_and_tidies_all)
+  namespace
   {
-    EXPECT_EQ(tidy(" \t a  b\n"), "a b");
-    EXPECT_EQ(split(" a;; b  c ;", ';'), Parts({"a", "", "b c", ""}));
-    EXPECT_EQ(split("a, b", ';'), Parts({"a, b"}));
-    EXPECT_EQ(split(" \t", ';'), Parts());
-  }
+    using namespace Waker;
+    using Parts = std::vector<std::string>;
 
 
-  TEST(Base, require_positive_names_path_value_and_unit)
-  {
-    EXPECT_NO_THROW(require_positive("A/B", 1e-300));
-    for (const double value : {0., -1., std::nan("")})
-      EXPECT_USER_ERROR(require_positive("A/B", value), "A/B", "is ");
-    try
-      {
-        require_positive("A/B", -2.5, "kPa");
-        FAIL();
-      }
-    catch (const UserError &error)
-      {
-        EXPECT_EQ(error.where, "A/B");
-        EXPECT_EQ(error.problem.rfind("is -2.5", 0), 0u) << error.problem;
-        EXPECT_NE(error.problem.find(" kPa"), std::string::npos);
-        EXPECT_EQ(error.allowed, "a number above 0");
-      }
-  }
-} // namespace
+    TEST(Base, split_keeps_empty_parts_and_tidies_all)
+    {
+      EXPECT_EQ(tidy(" \t a  b\n"), "a b");
+      EXPECT_EQ(split(" a;; b  c ;", ';'), Parts({"a", "", "b c", ""}));
+      EXPECT_EQ(split("a, b", ';'), Parts({"a, b"}));
+      EXPECT_EQ(split(" \t", ';'), Parts());
+    }
+
+
+    TEST(Base, require_positive_names_path_value_and_unit)
+    {
+      EXPECT_NO_THROW(require_positive("A/B", 1e-300));
+      for (const double value : {0., -1., std::nan("")})
+        EXPECT_USER_ERROR(require_positive("A/B", value), "A/B", "is ");
+      try
+        {
+          require_positive("A/B", -2.5, "kPa");
+          FAIL();
+        }
+      catch (const UserError &error)
+        {
+          EXPECT_EQ(error.where, "A/B");
+          EXPECT_EQ(error.problem.rfind("is -2.5", 0), 0u) << error.problem;
+          EXPECT_NE(error.problem.find(" kPa"), std::string::npos);
+          EXPECT_EQ(error.allowed, "a number above 0");
+        }
+    }
+  } // namespace
+} // namespace base_text

@@ -2,8 +2,8 @@
 #ifndef waker_tests_box_raster_h
 #define waker_tests_box_raster_h
 
-#include <waker/boundary/box_union.h>
-#include <waker/boundary/surface.h>
+#include <waker/surface/boxes/box_union.h>
+#include <waker/surface/shape/surface.h>
 
 #include <algorithm>
 #include <array>

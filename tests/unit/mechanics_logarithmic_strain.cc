@@ -7,377 +7,383 @@
 #include "mapping_lattice.h"
 #include <gtest/gtest.h>
 
-// Logarithmic strain against closed forms, and its tangent against differences
-// of the internal force.
-
-using namespace Waker;
-
-namespace
+namespace mechanics_logarithmic_strain
 {
-  constexpr double h = 0.25, density = 1.5, E = 1000., nu = 0.3;
-  constexpr double G = E / (2. * (1. + nu)), K = E / (3. * (1. - 2. * nu));
+  // Logarithmic strain against closed forms, and its tangent against
+  // differences of the internal force.
 
+  using namespace Waker;
 
-  template <int dim>
-  Tensor<2, dim>
-  identity()
+  namespace
   {
-    return unit_symmetric_tensor<dim>();
-  }
+    constexpr double h = 0.25, density = 1.5, E = 1000., nu = 0.3;
+    constexpr double G = E / (2. * (1. + nu)), K = E / (3. * (1. - 2. * nu));
 
 
-  /// Points of an elastic material in a homogeneous motion, one step or many.
-  template <int dim>
-  struct Body
-  {
-    Body()
-      : grid(Lattice::grid<dim>(2., h))
-      , weights(grid, ShapeFunctions::gimp)
-      , force(grid.n_dofs())
+    template <int dim>
+    Tensor<2, dim>
+    identity()
     {
-      materials.push_back(std::make_unique<LinearElastic>(density, E, nu));
-      Point<dim> lower;
-      for (unsigned int d = 0; d < dim; ++d)
-        lower[d] = 0.8;
-      points = Lattice::box(lower, 2, 0.5 * h, density);
-      prepare_deformation(points);
-      weights.reinit(points);
-      V0 = points.volume[0];
+      return unit_symmetric_tensor<dim>();
     }
 
-    /// Deform by dF more; the points stay where they are.
-    StressReport
-    deform(const Tensor<2, dim> &dF)
+
+    /// Points of an elastic material in a homogeneous motion, one step or many.
+    template <int dim>
+    struct Body
     {
-      StressUpdate<dim> update(materials,
-                               std::make_unique<LogarithmicMotion<dim>>());
-      update.evaluate(points,
-                      weights,
-                      Lattice::linear_field(grid,
-                                            dF - identity<dim>(),
-                                            Tensor<1, dim>()),
-                      force);
-      return update.accept(points);
-    }
-
-    BackgroundGrid<dim> grid;
-    MaterialPoints<dim> points;
-    Materials           materials;
-    Weights<dim>        weights;
-    NodalVector         force;
-    double              V0;
-  };
-
-
-  template <int dim>
-  void
-  check_uniaxial(const double stretch)
-  {
-    Body<dim>      body;
-    Tensor<2, dim> F    = identity<dim>();
-    F[0][0]             = stretch;
-    const auto   report = body.deform(F);
-    const double M = K + 4. / 3. * G, e = std::log(stretch);
-    for (unsigned int p = 0; p < body.points.n_points(); ++p)
+      Body()
+        : grid(Lattice::grid<dim>(2., h))
+        , weights(grid, ShapeFunctions::gimp)
+        , force(grid.n_dofs())
       {
-        const SymmetricTensor<2, 3> tau = stretch * body.points.stress[p];
-        EXPECT_NEAR(tau[0][0], M * e, 1e-12 * M);
-        EXPECT_NEAR(tau[1][1], (K - 2. / 3. * G) * e, 1e-12 * M);
-        EXPECT_NEAR(tau[2][2], (K - 2. / 3. * G) * e, 1e-12 * M);
-        EXPECT_NEAR(body.points.volume[p], stretch * body.V0, 1e-14);
+        materials.push_back(std::make_unique<LinearElastic>(density, E, nu));
+        Point<dim> lower;
+        for (unsigned int d = 0; d < dim; ++d)
+          lower[d] = 0.8;
+        points = Lattice::box(lower, 2, 0.5 * h, density);
+        prepare_deformation(points);
+        weights.reinit(points);
+        V0 = points.volume[0];
       }
-    EXPECT_NEAR(report.elastic_energy,
-                body.points.n_points() * body.V0 * 0.5 * M * e * e,
-                1e-11 * M * body.V0);
-  }
 
-
-  TEST(LogarithmicStrain, Uniaxial)
-  {
-    for (const double stretch : {0.3, 0.9, 1. + 1e-9, 1.5, 3.})
+      /// Deform by dF more; the points stay where they are.
+      StressReport
+      deform(const Tensor<2, dim> &dF)
       {
-        check_uniaxial<2>(stretch);
-        check_uniaxial<3>(stretch);
+        StressUpdate<dim> update(materials,
+                                 std::make_unique<LogarithmicMotion<dim>>());
+        update.evaluate(points,
+                        weights,
+                        Lattice::linear_field(grid,
+                                              dF - identity<dim>(),
+                                              Tensor<1, dim>()),
+                        force);
+        return update.accept(points);
       }
-  }
 
-
-  /// Small strains keep their digits.
-  TEST(LogarithmicStrain, SmallStrainIsAccurate)
-  {
-    Tensor<2, 2> H;
-    H[0][1] = 1e-9;
-    H[0][0] = 2e-9;
-    const LogarithmicStep<2> step(H, SymmetricTensor<2, 3>());
-    EXPECT_NEAR(step.trial_strain()[0][0] / 2e-9, 1., 1e-8);
-    EXPECT_NEAR(step.trial_strain()[0][1] / 5e-10, 1., 1e-8);
-    EXPECT_NEAR(step.trial_strain()[1][1], 0., 1e-17);
-  }
-
-
-  template <int dim>
-  void
-  check_simple_shear(const double gamma)
-  {
-    Body<dim>      body;
-    Tensor<2, dim> F = identity<dim>();
-    F[0][1]          = gamma;
-    body.deform(F);
-    // tau = 2 G ln(lambda) (n n - m m), n at half of atan(2 / gamma).
-    const double lambda = 0.5 * gamma + std::sqrt(1. + 0.25 * gamma * gamma);
-    const double size   = 2. * G * std::log(lambda);
-    const double angle  = std::atan2(2., gamma);
-    for (const auto &stress : body.points.stress)
-      {
-        EXPECT_NEAR(stress[0][0], size * std::cos(angle), 1e-11 * G);
-        EXPECT_NEAR(stress[1][1], -size * std::cos(angle), 1e-11 * G);
-        EXPECT_NEAR(stress[0][1], size * std::sin(angle), 1e-11 * G);
-        EXPECT_NEAR(stress[2][2], 0., 1e-11 * G);
-      }
-  }
-
-
-  TEST(LogarithmicStrain, SimpleShear)
-  {
-    for (const double gamma : {1e-7, 0.1, 1., 5.})
-      {
-        check_simple_shear<2>(gamma);
-        check_simple_shear<3>(gamma);
-      }
-  }
-
-
-  /// A rotation in one step turns the stress, however large, and leaves a body
-  /// without stress alone.
-  template <int dim>
-  void
-  check_rotation()
-  {
-    const Tensor<1, 3> axis(dim == 2 ? Tensor<1, 3>({0., 0., 1.})
-                                     : Tensor<1, 3>({0.3, -0.5, 1.}));
-    for (const double angle : {0.01, 1., 3.})
-      {
-        const auto R = Lattice::rotation<dim>(angle, axis);
-        Body<dim>  free;
-        free.deform(R);
-        for (const auto &stress : free.points.stress)
-          EXPECT_LT(stress.norm(), 2e-12 * E);
-
-        Body<dim>       loaded;
-        Lattice::Random random(17);
-        loaded.deform(identity<dim>() + random.matrix<dim>(-0.3, 0.3));
-        const SymmetricTensor<2, 3> before = loaded.points.stress[0];
-        const auto                  report = loaded.deform(R);
-        const auto                  Q      = Lattice::embedded(R);
-        const SymmetricTensor<2, 3> turned =
-          symmetrize(Q * Tensor<2, 3>(before) * transpose(Q));
-        EXPECT_GT(before.norm(), 0.1 * E);
-        EXPECT_LT((loaded.points.stress[0] - turned).norm(), 1e-11 * E);
-        EXPECT_NEAR(report.elastic_energy,
-                    loaded.deform(identity<dim>()).elastic_energy,
-                    1e-12 * report.elastic_energy);
-      }
-  }
-
-
-  TEST(LogarithmicStrain, Rotation)
-  {
-    check_rotation<2>();
-    check_rotation<3>();
-  }
-
-
-  /// What matters is where a body ends, not in how many steps.
-  template <int dim>
-  void
-  check_steps()
-  {
-    Lattice::Random      random(23);
-    Tensor<2, dim>       F = identity<dim>();
-    Body<dim>            stepwise, at_once;
-    const Tensor<2, dim> rate = random.matrix<dim>(-0.08, 0.08);
-    for (unsigned int k = 0; k < 20; ++k)
-      {
-        const Tensor<2, dim> dF =
-          identity<dim>() + rate + random.matrix<dim>(-0.05, 0.05);
-        F = dF * F;
-        stepwise.deform(dF);
-      }
-    const auto report = at_once.deform(F);
-    EXPECT_GT(report.elastic_energy, 0.05 * E * at_once.V0);
-    for (unsigned int p = 0; p < at_once.points.n_points(); ++p)
-      {
-        EXPECT_LT((stepwise.points.stress[p] - at_once.points.stress[p]).norm(),
-                  1e-11 * E);
-        EXPECT_NEAR(stepwise.points.volume[p],
-                    determinant(F) * at_once.V0,
-                    1e-13);
-        EXPECT_LT((stepwise.points.deformation[p] - F).norm(), 1e-12);
-      }
-  }
-
-
-  TEST(LogarithmicStrain, StepSizeDoesNotMatter)
-  {
-    check_steps<2>();
-    check_steps<3>();
-  }
-
-
-  /// A step that turns a point inside out must not pass.
-  TEST(LogarithmicStrain, InsideOutIsNotANumber)
-  {
-    Tensor<2, 2> H;
-    H[0][0] = -1.2;
-    const LogarithmicStep<2> step(H, SymmetricTensor<2, 3>());
-    EXPECT_FALSE(std::isfinite(trace(step.trial_strain())));
-    Body<2> body;
-    body.deform(identity<2>() + H);
-    EXPECT_FALSE(std::isfinite(body.force.l2_norm()));
-  }
-
-
-  /// Elastic and softening points with stresses, sizes and strengths of all
-  /// kinds, in a random motion with large strains.
-  template <int dim>
-  void
-  check_tangent(const ShapeFunctions functions, const bool elastic)
-  {
-    const auto   grid = Lattice::grid<dim>(1., h);
-    Weights<dim> weights(grid, functions);
-    Materials    materials;
-    materials.push_back(std::make_unique<LinearElastic>(1.5, 400., 0.2));
-    if (!elastic)
-      materials.push_back(
-        std::make_unique<VonMisesSoftening>(1.5, 1000., 0.45, 13., 5., -50.));
-    Lattice::Random random(51 + dim);
-    auto points = Lattice::box(Point<dim>(random.vector<dim>(0.15, 0.2)),
-                               dim == 2 ? 6 : 4,
-                               0.5 * h,
-                               1.5);
-    for (unsigned int p = 0; p < points.n_points(); ++p)
-      {
-        points.position[p] += random.vector<dim>(-0.03, 0.03);
-        points.volume[p] *= random(0.5, 1.5);
-        points.material[p] = !elastic && p % 4 != 3 ? 1 : 0;
-        points.stress[p] =
-          random.stress<dim>(2.) - random(0., 20.) * unit_symmetric_tensor<3>();
-      }
-    declare_material_variables(materials, points);
-    if (!elastic)
-      for (unsigned int p = 0; p < points.n_points(); p += 3)
-        points.scalar("undrained shear strength")[p] = 500.;
-    weights.reinit(points);
-    auto u = Lattice::linear_field(grid,
-                                   random.matrix<dim>(-0.3, 0.3),
-                                   Tensor<1, dim>());
-    for (double &value : u)
-      value += random(-0.06, 0.06) * h;
-
-    const unsigned int     n = grid.n_dofs();
-    StressUpdate<dim>      update(materials,
-                             std::make_unique<LogarithmicMotion<dim>>());
-    ConsistentTangent<dim> tangent(weights);
-    NodalVector            force(n), up(n), down(n), product(n), other(n);
-    const auto internal_force = [&](const NodalVector &v, NodalVector &f) {
-      StressUpdate<dim>(materials, std::make_unique<LogarithmicMotion<dim>>())
-        .evaluate(points, weights, v, f);
+      BackgroundGrid<dim> grid;
+      MaterialPoints<dim> points;
+      Materials           materials;
+      Weights<dim>        weights;
+      NodalVector         force;
+      double              V0;
     };
-    update.evaluate(points, weights, u, force);
-    tangent.reinit(update, points);
-    for (unsigned int k = 0; k < 6; ++k)
-      {
-        const double delta = 1e-6 * h;
-        NodalVector  direction(n), v;
-        for (double &d : direction)
-          d = random(-1., 1.);
-        tangent.vmult(product, direction);
-        v = u;
-        v.add(delta, direction);
-        internal_force(v, up);
-        v.add(-2. * delta, direction);
-        internal_force(v, down);
-        up -= down;
-        up /= 2. * delta;
-        up -= product;
-        EXPECT_LT(up.linfty_norm(), 2e-7 * product.linfty_norm());
-
-        // An elastic body has a potential.
-        NodalVector second(n);
-        for (double &d : second)
-          d = random(-1., 1.);
-        tangent.vmult(other, second);
-        if (elastic)
-          {
-            EXPECT_NEAR(second * product,
-                        direction * other,
-                        1e-9 * product.l2_norm() * second.l2_norm());
-          }
-      }
-
-    NodalVector diagonal(n), unit(n);
-    tangent.add_diagonal(diagonal);
-    for (unsigned int i = 0; i < n; ++i)
-      {
-        unit            = 0.;
-        unit.begin()[i] = 1.;
-        tangent.vmult(product, unit);
-        ASSERT_NEAR(diagonal.begin()[i], product.begin()[i], 1e-9) << i;
-      }
-    EXPECT_GT(diagonal.linfty_norm(), 10.);
-    if (!elastic)
-      {
-        EXPECT_GT(update.accept(points).plastic_strain, 0.01);
-      }
-  }
 
 
-  TEST(LogarithmicStrain, Tangent)
-  {
-    for (const auto functions : {ShapeFunctions::gimp, ShapeFunctions::linear})
-      for (const bool elastic : {true, false})
+    template <int dim>
+    void
+    check_uniaxial(const double stretch)
+    {
+      Body<dim>      body;
+      Tensor<2, dim> F    = identity<dim>();
+      F[0][0]             = stretch;
+      const auto   report = body.deform(F);
+      const double M = K + 4. / 3. * G, e = std::log(stretch);
+      for (unsigned int p = 0; p < body.points.n_points(); ++p)
         {
-          check_tangent<2>(functions, elastic);
-          check_tangent<3>(functions, elastic);
+          const SymmetricTensor<2, 3> tau = stretch * body.points.stress[p];
+          EXPECT_NEAR(tau[0][0], M * e, 1e-12 * M);
+          EXPECT_NEAR(tau[1][1], (K - 2. / 3. * G) * e, 1e-12 * M);
+          EXPECT_NEAR(tau[2][2], (K - 2. / 3. * G) * e, 1e-12 * M);
+          EXPECT_NEAR(body.points.volume[p], stretch * body.V0, 1e-14);
         }
-  }
+      EXPECT_NEAR(report.elastic_energy,
+                  body.points.n_points() * body.V0 * 0.5 * M * e * e,
+                  1e-11 * M * body.V0);
+    }
 
 
-  /// Domains follow U, not F: a rotation leaves them, and none outgrows a cell.
-  template <int dim>
-  void
-  check_domains()
-  {
-    Body<dim>            body;
-    const Tensor<1, 3>   axis({0., 0., 1.});
-    const Tensor<2, dim> R = Lattice::rotation<dim>(0.7, axis);
-    Tensor<2, dim>       U = identity<dim>();
-    U[0][0]                = 1.3;
-    U[1][1]                = 0.6;
-    U[0][1] = U[1][0] = 0.2;
-    body.deform(R * U);
-    EXPECT_EQ(stretch_domains(h, body.points), 0u);
-    const double l0 = 0.25 * h;
-    for (const auto &l : body.points.half_size)
-      for (unsigned int d = 0; d < dim; ++d)
-        EXPECT_NEAR(l[d], l0 * U[d][d], 1e-13 * l0);
-
-    Tensor<2, dim> stretch = identity<dim>();
-    stretch[0][0]          = 2.;
-    body.deform(stretch * transpose(R));
-    EXPECT_EQ(stretch_domains(h, body.points), body.points.n_points());
-    for (const auto &l : body.points.half_size)
-      {
-        EXPECT_EQ(l[0], 0.5 * h);
-        EXPECT_GT(l[1], 0.5 * l0);
-        EXPECT_LT(l[1], 0.7 * l0);
-      }
-  }
+    TEST(LogarithmicStrain, Uniaxial)
+    {
+      for (const double stretch : {0.3, 0.9, 1. + 1e-9, 1.5, 3.})
+        {
+          check_uniaxial<2>(stretch);
+          check_uniaxial<3>(stretch);
+        }
+    }
 
 
-  TEST(LogarithmicStrain, StretchedDomains)
-  {
-    check_domains<2>();
-    check_domains<3>();
-  }
-} // namespace
+    /// Small strains keep their digits.
+    TEST(LogarithmicStrain, SmallStrainIsAccurate)
+    {
+      Tensor<2, 2> H;
+      H[0][1] = 1e-9;
+      H[0][0] = 2e-9;
+      const LogarithmicStep<2> step(H, SymmetricTensor<2, 3>());
+      EXPECT_NEAR(step.trial_strain()[0][0] / 2e-9, 1., 1e-8);
+      EXPECT_NEAR(step.trial_strain()[0][1] / 5e-10, 1., 1e-8);
+      EXPECT_NEAR(step.trial_strain()[1][1], 0., 1e-17);
+    }
+
+
+    template <int dim>
+    void
+    check_simple_shear(const double gamma)
+    {
+      Body<dim>      body;
+      Tensor<2, dim> F = identity<dim>();
+      F[0][1]          = gamma;
+      body.deform(F);
+      // tau = 2 G ln(lambda) (n n - m m), n at half of atan(2 / gamma).
+      const double lambda = 0.5 * gamma + std::sqrt(1. + 0.25 * gamma * gamma);
+      const double size   = 2. * G * std::log(lambda);
+      const double angle  = std::atan2(2., gamma);
+      for (const auto &stress : body.points.stress)
+        {
+          EXPECT_NEAR(stress[0][0], size * std::cos(angle), 1e-11 * G);
+          EXPECT_NEAR(stress[1][1], -size * std::cos(angle), 1e-11 * G);
+          EXPECT_NEAR(stress[0][1], size * std::sin(angle), 1e-11 * G);
+          EXPECT_NEAR(stress[2][2], 0., 1e-11 * G);
+        }
+    }
+
+
+    TEST(LogarithmicStrain, SimpleShear)
+    {
+      for (const double gamma : {1e-7, 0.1, 1., 5.})
+        {
+          check_simple_shear<2>(gamma);
+          check_simple_shear<3>(gamma);
+        }
+    }
+
+
+    /// A rotation in one step turns the stress, however large, and leaves a
+    /// body without stress alone.
+    template <int dim>
+    void
+    check_rotation()
+    {
+      const Tensor<1, 3> axis(dim == 2 ? Tensor<1, 3>({0., 0., 1.})
+                                       : Tensor<1, 3>({0.3, -0.5, 1.}));
+      for (const double angle : {0.01, 1., 3.})
+        {
+          const auto R = Lattice::rotation<dim>(angle, axis);
+          Body<dim>  free;
+          free.deform(R);
+          for (const auto &stress : free.points.stress)
+            EXPECT_LT(stress.norm(), 2e-12 * E);
+
+          Body<dim>       loaded;
+          Lattice::Random random(17);
+          loaded.deform(identity<dim>() + random.matrix<dim>(-0.3, 0.3));
+          const SymmetricTensor<2, 3> before = loaded.points.stress[0];
+          const auto                  report = loaded.deform(R);
+          const auto                  Q      = Lattice::embedded(R);
+          const SymmetricTensor<2, 3> turned =
+            symmetrize(Q * Tensor<2, 3>(before) * transpose(Q));
+          EXPECT_GT(before.norm(), 0.1 * E);
+          EXPECT_LT((loaded.points.stress[0] - turned).norm(), 1e-11 * E);
+          EXPECT_NEAR(report.elastic_energy,
+                      loaded.deform(identity<dim>()).elastic_energy,
+                      1e-12 * report.elastic_energy);
+        }
+    }
+
+
+    TEST(LogarithmicStrain, Rotation)
+    {
+      check_rotation<2>();
+      check_rotation<3>();
+    }
+
+
+    /// What matters is where a body ends, not in how many steps.
+    template <int dim>
+    void
+    check_steps()
+    {
+      Lattice::Random      random(23);
+      Tensor<2, dim>       F = identity<dim>();
+      Body<dim>            stepwise, at_once;
+      const Tensor<2, dim> rate = random.matrix<dim>(-0.08, 0.08);
+      for (unsigned int k = 0; k < 20; ++k)
+        {
+          const Tensor<2, dim> dF =
+            identity<dim>() + rate + random.matrix<dim>(-0.05, 0.05);
+          F = dF * F;
+          stepwise.deform(dF);
+        }
+      const auto report = at_once.deform(F);
+      EXPECT_GT(report.elastic_energy, 0.05 * E * at_once.V0);
+      for (unsigned int p = 0; p < at_once.points.n_points(); ++p)
+        {
+          EXPECT_LT(
+            (stepwise.points.stress[p] - at_once.points.stress[p]).norm(),
+            1e-11 * E);
+          EXPECT_NEAR(stepwise.points.volume[p],
+                      determinant(F) * at_once.V0,
+                      1e-13);
+          EXPECT_LT((stepwise.points.deformation[p] - F).norm(), 1e-12);
+        }
+    }
+
+
+    TEST(LogarithmicStrain, StepSizeDoesNotMatter)
+    {
+      check_steps<2>();
+      check_steps<3>();
+    }
+
+
+    /// A step that turns a point inside out must not pass.
+    TEST(LogarithmicStrain, InsideOutIsNotANumber)
+    {
+      Tensor<2, 2> H;
+      H[0][0] = -1.2;
+      const LogarithmicStep<2> step(H, SymmetricTensor<2, 3>());
+      EXPECT_FALSE(std::isfinite(trace(step.trial_strain())));
+      Body<2> body;
+      body.deform(identity<2>() + H);
+      EXPECT_FALSE(std::isfinite(body.force.l2_norm()));
+    }
+
+
+    /// Elastic and softening points with stresses, sizes and strengths of all
+    /// kinds, in a random motion with large strains.
+    template <int dim>
+    void
+    check_tangent(const ShapeFunctions functions, const bool elastic)
+    {
+      const auto   grid = Lattice::grid<dim>(1., h);
+      Weights<dim> weights(grid, functions);
+      Materials    materials;
+      materials.push_back(std::make_unique<LinearElastic>(1.5, 400., 0.2));
+      if (!elastic)
+        materials.push_back(
+          std::make_unique<VonMisesSoftening>(1.5, 1000., 0.45, 13., 5., -50.));
+      Lattice::Random random(51 + dim);
+      auto points = Lattice::box(Point<dim>(random.vector<dim>(0.15, 0.2)),
+                                 dim == 2 ? 6 : 4,
+                                 0.5 * h,
+                                 1.5);
+      for (unsigned int p = 0; p < points.n_points(); ++p)
+        {
+          points.position[p] += random.vector<dim>(-0.03, 0.03);
+          points.volume[p] *= random(0.5, 1.5);
+          points.material[p] = !elastic && p % 4 != 3 ? 1 : 0;
+          points.stress[p]   = random.stress<dim>(2.) -
+                             random(0., 20.) * unit_symmetric_tensor<3>();
+        }
+      declare_material_variables(materials, points);
+      if (!elastic)
+        for (unsigned int p = 0; p < points.n_points(); p += 3)
+          points.scalar("undrained shear strength")[p] = 500.;
+      weights.reinit(points);
+      auto u = Lattice::linear_field(grid,
+                                     random.matrix<dim>(-0.3, 0.3),
+                                     Tensor<1, dim>());
+      for (double &value : u)
+        value += random(-0.06, 0.06) * h;
+
+      const unsigned int     n = grid.n_dofs();
+      StressUpdate<dim>      update(materials,
+                               std::make_unique<LogarithmicMotion<dim>>());
+      ConsistentTangent<dim> tangent(weights);
+      NodalVector            force(n), up(n), down(n), product(n), other(n);
+      const auto internal_force = [&](const NodalVector &v, NodalVector &f) {
+        StressUpdate<dim>(materials, std::make_unique<LogarithmicMotion<dim>>())
+          .evaluate(points, weights, v, f);
+      };
+      update.evaluate(points, weights, u, force);
+      tangent.reinit(update, points);
+      for (unsigned int k = 0; k < 6; ++k)
+        {
+          const double delta = 1e-6 * h;
+          NodalVector  direction(n), v;
+          for (double &d : direction)
+            d = random(-1., 1.);
+          tangent.vmult(product, direction);
+          v = u;
+          v.add(delta, direction);
+          internal_force(v, up);
+          v.add(-2. * delta, direction);
+          internal_force(v, down);
+          up -= down;
+          up /= 2. * delta;
+          up -= product;
+          EXPECT_LT(up.linfty_norm(), 2e-7 * product.linfty_norm());
+
+          // An elastic body has a potential.
+          NodalVector second(n);
+          for (double &d : second)
+            d = random(-1., 1.);
+          tangent.vmult(other, second);
+          if (elastic)
+            {
+              EXPECT_NEAR(second * product,
+                          direction * other,
+                          1e-9 * product.l2_norm() * second.l2_norm());
+            }
+        }
+
+      NodalVector diagonal(n), unit(n);
+      tangent.add_diagonal(diagonal);
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          unit            = 0.;
+          unit.begin()[i] = 1.;
+          tangent.vmult(product, unit);
+          ASSERT_NEAR(diagonal.begin()[i], product.begin()[i], 1e-9) << i;
+        }
+      EXPECT_GT(diagonal.linfty_norm(), 10.);
+      if (!elastic)
+        {
+          EXPECT_GT(update.accept(points).plastic_strain, 0.01);
+        }
+    }
+
+
+    TEST(LogarithmicStrain, Tangent)
+    {
+      for (const auto functions :
+           {ShapeFunctions::gimp, ShapeFunctions::linear})
+        for (const bool elastic : {true, false})
+          {
+            check_tangent<2>(functions, elastic);
+            check_tangent<3>(functions, elastic);
+          }
+    }
+
+
+    /// Domains follow U, not F: a rotation leaves them, and none outgrows a
+    /// cell.
+    template <int dim>
+    void
+    check_domains()
+    {
+      Body<dim>            body;
+      const Tensor<1, 3>   axis({0., 0., 1.});
+      const Tensor<2, dim> R = Lattice::rotation<dim>(0.7, axis);
+      Tensor<2, dim>       U = identity<dim>();
+      U[0][0]                = 1.3;
+      U[1][1]                = 0.6;
+      U[0][1] = U[1][0] = 0.2;
+      body.deform(R * U);
+      EXPECT_EQ(stretch_domains(h, body.points), 0u);
+      const double l0 = 0.25 * h;
+      for (const auto &l : body.points.half_size)
+        for (unsigned int d = 0; d < dim; ++d)
+          EXPECT_NEAR(l[d], l0 * U[d][d], 1e-13 * l0);
+
+      Tensor<2, dim> stretch = identity<dim>();
+      stretch[0][0]          = 2.;
+      body.deform(stretch * transpose(R));
+      EXPECT_EQ(stretch_domains(h, body.points), body.points.n_points());
+      for (const auto &l : body.points.half_size)
+        {
+          EXPECT_EQ(l[0], 0.5 * h);
+          EXPECT_GT(l[1], 0.5 * l0);
+          EXPECT_LT(l[1], 0.7 * l0);
+        }
+    }
+
+
+    TEST(LogarithmicStrain, StretchedDomains)
+    {
+      check_domains<2>();
+      check_domains<3>();
+    }
+  } // namespace
+} // namespace mechanics_logarithmic_strain

@@ -5,7 +5,7 @@
 #include "output_temporary_folder.h"
 #include <gtest/gtest.h>
 
-namespace Waker
+namespace Waker::output_checkpoint
 {
   namespace
   {
@@ -207,4 +207,4 @@ namespace Waker
     EXPECT_NE(problem_on_reading(folder.path, hash).find("newer version"),
               std::string::npos);
   }
-} // namespace Waker
+} // namespace Waker::output_checkpoint

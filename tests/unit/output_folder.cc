@@ -16,7 +16,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 
-namespace Waker
+namespace Waker::output_folder
 {
   namespace fs = std::filesystem;
 
@@ -481,4 +481,4 @@ namespace Waker
                       "has schema version " +
                         std::to_string(summary.schema_version));
   }
-} // namespace Waker
+} // namespace Waker::output_folder

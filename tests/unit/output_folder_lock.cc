@@ -12,7 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-namespace Waker
+namespace Waker::output_folder_lock
 {
   namespace
   {
@@ -224,4 +224,4 @@ namespace Waker
       EXPECT_EQ(exit_code(process), 0);
     EXPECT_FALSE(std::filesystem::exists(folder.file("lock")));
   }
-} // namespace Waker
+} // namespace Waker::output_folder_lock

@@ -5,7 +5,7 @@
 #include "output_temporary_folder.h"
 #include <gtest/gtest.h>
 
-namespace Waker
+namespace Waker::output_pvd
 {
   namespace
   {
@@ -63,4 +63,4 @@ namespace Waker
     EXPECT_EQ(series.restore(entries),
               (std::vector<std::string>{first, second}));
   }
-} // namespace Waker
+} // namespace Waker::output_pvd

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <sstream>
 
-namespace Waker
+namespace Waker::output_statistics
 {
   namespace
   {
@@ -143,4 +143,4 @@ namespace Waker
                       "Output/Directory",
                       "cannot write '" + folder.file("none/statistics") + "'");
   }
-} // namespace Waker
+} // namespace Waker::output_statistics

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/utilities.h>
 
-#include <waker/boundary/surface.h>
-#include <waker/boundary/water_load.h>
 #include <waker/grid/background_grid.h>
+#include <waker/loads/water_load.h>
 #include <waker/output/grid_writer.h>
 #include <waker/output/particle_writer.h>
 #include <waker/output/surface_writer.h>
 #include <waker/particles/material_points.h>
+#include <waker/surface/shape/surface.h>
 
 #include "output_temporary_folder.h"
 #include <cstring>
 #include <gtest/gtest.h>
 
-namespace Waker
+namespace Waker::output_writers
 {
   namespace
   {
@@ -205,4 +205,4 @@ namespace Waker
       contains(get(folder.file("particles.vtu")),
                "Name=\"load_wind_&amp;_&quot;golf&quot;_&lt;1&gt;_x\""));
   }
-} // namespace Waker
+} // namespace Waker::output_writers

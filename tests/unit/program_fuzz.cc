@@ -2,10 +2,10 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <waker/base/errors.h>
+#include <waker/campaign/input.h>
+#include <waker/campaign/random_properties.h>
 #include <waker/program/declared_parameters.h>
 #include <waker/program/parameter_reader.h>
-#include <waker/reliability/input.h>
-#include <waker/reliability/random_properties.h>
 #include <waker/simulation/case.h>
 
 #include <fstream>
@@ -13,16 +13,18 @@
 #include <set>
 #include <unistd.h>
 
-// Every parameter that there is, with values that nobody should give: they are
-// accepted or refused, and nothing else happens.
-
-using namespace Waker;
-
-namespace
+namespace program_fuzz
 {
-  /// A small case with something of everything. What is not given here has its
-  /// default.
-  const std::string small_case = R"(
+  // Every parameter that there is, with values that nobody should give: they
+  // are accepted or refused, and nothing else happens.
+
+  using namespace Waker;
+
+  namespace
+  {
+    /// A small case with something of everything. What is not given here has
+    /// its default.
+    const std::string small_case = R"(
 subsection Grid
   set Lower corner = 0, 0
   set Upper corner = 4, 2
@@ -92,167 +94,170 @@ end
 )";
 
 
-  /// What wrong hands and wrong habits type.
-  std::vector<std::string>
-  odd_values()
+    /// What wrong hands and wrong habits type.
+    std::vector<std::string>
+    odd_values()
+    {
+      return {"",
+              "nan",
+              "inf",
+              "-inf",
+              "1e400",
+              "1e-320",
+              "-1e-320",
+              "0",
+              "-1",
+              "0,25",
+              "0;25",
+              "1; 2",
+              "1: 2: 3",
+              ";;;",
+              ",,,",
+              "0x10",
+              "1 2",
+              "18446744073709551616",
+              "text",
+              "rand()",
+              "\"",
+              "((",
+              std::string(40000, '1'),
+              std::string(40000, ',')};
+    }
+
+
+    /// Those that are good nowhere but in names and texts.
+    const std::set<std::string> never_good =
+      {"0,25", "1e400", "nan", "inf", "0x10", "rand()"};
+
+    /// All parameters that are these, and a list of whole numbers, in which
+    /// 0,25 are two.
+    const std::set<std::string> texts = {"Output/Directory",
+                                         "Risk/Level table",
+                                         "Snapshots/Realisations"};
+
+
+    enum class Answer
+    {
+      accepted,
+      refused
+    };
+
+
+    /// Read and set up a case as `waker run --validate` does.
+    /// Anything but a UserError or a NumericalFailure is let through.
+    Answer
+    validate(const std::string &file, const std::vector<std::string> &overrides)
+    {
+      try
+        {
+          const auto   scenarios = read_scenarios(file, overrides);
+          const Input &input     = *scenarios[0];
+          if (input.simulation.dimension == 2)
+            {
+              const Case<2> the_case(input.simulation, MPI_COMM_SELF);
+              const RandomProperties<2> properties(the_case,
+                                                   input.reliability.fields);
+            }
+        }
+      catch (const UserError &error)
+        {
+          EXPECT_FALSE(error.where.empty());
+          EXPECT_FALSE(error.problem.empty());
+          EXPECT_FALSE(error.allowed.empty());
+          EXPECT_LT(error.problem.size(), 100000u);
+          return Answer::refused;
+        }
+      catch (const NumericalFailure &)
+        {
+          return Answer::refused;
+        }
+      return Answer::accepted;
+    }
+
+
+    class Fuzz : public testing::Test
+    {
+    protected:
+      const std::string file =
+        testing::TempDir() + "waker_fuzz_" + std::to_string(getpid()) + ".prm";
+
+      std::vector<DeclaredParameter> parameters;
+
+      void
+      SetUp() override
+      {
+        std::ofstream(file) << small_case;
+        Input            input;
+        ParameterHandler prm;
+        declare_parameters(prm,
+                           input,
+                           {{"clay"},
+                            {"dyke"},
+                            {"base", "side"},
+                            {"wind"},
+                            {"man"},
+                            {"wall"},
+                            {"in"},
+                            {"strength"}});
+        parameters = declared_parameters(prm);
+      }
+
+      void
+      TearDown() override
+      {
+        ::unlink(file.c_str());
+      }
+    };
+  } // namespace
+
+
+  TEST_F(Fuzz, the_case_itself_is_good)
   {
-    return {"",
-            "nan",
-            "inf",
-            "-inf",
-            "1e400",
-            "1e-320",
-            "-1e-320",
-            "0",
-            "-1",
-            "0,25",
-            "0;25",
-            "1; 2",
-            "1: 2: 3",
-            ";;;",
-            ",,,",
-            "0x10",
-            "1 2",
-            "18446744073709551616",
-            "text",
-            "rand()",
-            "\"",
-            "((",
-            std::string(40000, '1'),
-            std::string(40000, ',')};
+    EXPECT_EQ(validate(file, {}), Answer::accepted);
+    EXPECT_GT(parameters.size(), 150u);
   }
 
 
-  /// Those that are good nowhere but in names and texts.
-  const std::set<std::string> never_good =
-    {"0,25", "1e400", "nan", "inf", "0x10", "rand()"};
-
-  /// All parameters that are these, and a list of whole numbers, in which 0,25
-  /// are two.
-  const std::set<std::string> texts = {"Output/Directory",
-                                       "Risk/Level table",
-                                       "Snapshots/Realisations"};
-
-
-  enum class Answer
+  TEST_F(Fuzz, every_parameter_with_every_odd_value_is_accepted_or_refused)
   {
-    accepted,
-    refused
-  };
-
-
-  /// Read and set up a case as `waker run --validate` does.
-  /// Anything but a UserError or a NumericalFailure is let through.
-  Answer
-  validate(const std::string &file, const std::vector<std::string> &overrides)
-  {
-    try
-      {
-        const auto   scenarios = read_scenarios(file, overrides);
-        const Input &input     = *scenarios[0];
-        if (input.simulation.dimension == 2)
-          {
-            const Case<2>             the_case(input.simulation, MPI_COMM_SELF);
-            const RandomProperties<2> properties(the_case,
-                                                 input.reliability.fields);
-          }
-      }
-    catch (const UserError &error)
-      {
-        EXPECT_FALSE(error.where.empty());
-        EXPECT_FALSE(error.problem.empty());
-        EXPECT_FALSE(error.allowed.empty());
-        EXPECT_LT(error.problem.size(), 100000u);
-        return Answer::refused;
-      }
-    catch (const NumericalFailure &)
-      {
-        return Answer::refused;
-      }
-    return Answer::accepted;
+    unsigned int n_refused = 0, n_texts = 0;
+    for (const DeclaredParameter &parameter : parameters)
+      for (const std::string &value : odd_values())
+        {
+          const std::string override_text = parameter.path() + "=" + value;
+          SCOPED_TRACE(override_text.substr(0, 200));
+          try
+            {
+              const Answer answer = validate(file, {override_text});
+              // These are no numbers, wherever numbers are wanted.
+              const bool wants_number =
+                parameter.pattern.find("[Double") == 0 ||
+                parameter.pattern.find("[Integer") == 0;
+              const bool is_none =
+                value.empty() || value == "1e400" ||
+                value.find_first_not_of("-0123456789e") != std::string::npos;
+              const bool is_never = never_good.count(value) > 0;
+              const bool is_text  = texts.count(parameter.path()) > 0;
+              if ((wants_number && is_none) || (is_never && !is_text))
+                {
+                  EXPECT_EQ(answer, Answer::refused);
+                }
+              n_refused +=
+                is_never && !is_text && answer == Answer::refused ? 1 : 0;
+              n_texts += is_never && is_text ? 1 : 0;
+            }
+          catch (const std::exception &error)
+            {
+              ADD_FAILURE() << "neither accepted nor refused: " << error.what();
+            }
+          catch (...)
+            {
+              ADD_FAILURE() << "no exception that a program can catch";
+            }
+        }
+    // Nothing was left out.
+    EXPECT_EQ(n_texts, texts.size() * never_good.size());
+    EXPECT_EQ(n_refused,
+              (parameters.size() - texts.size()) * never_good.size());
   }
-
-
-  class Fuzz : public testing::Test
-  {
-  protected:
-    const std::string file =
-      testing::TempDir() + "waker_fuzz_" + std::to_string(getpid()) + ".prm";
-
-    std::vector<DeclaredParameter> parameters;
-
-    void
-    SetUp() override
-    {
-      std::ofstream(file) << small_case;
-      Input            input;
-      ParameterHandler prm;
-      declare_parameters(prm,
-                         input,
-                         {{"clay"},
-                          {"dyke"},
-                          {"base", "side"},
-                          {"wind"},
-                          {"man"},
-                          {"wall"},
-                          {"in"},
-                          {"strength"}});
-      parameters = declared_parameters(prm);
-    }
-
-    void
-    TearDown() override
-    {
-      ::unlink(file.c_str());
-    }
-  };
-} // namespace
-
-
-TEST_F(Fuzz, the_case_itself_is_good)
-{
-  EXPECT_EQ(validate(file, {}), Answer::accepted);
-  EXPECT_GT(parameters.size(), 150u);
-}
-
-
-TEST_F(Fuzz, every_parameter_with_every_odd_value_is_accepted_or_refused)
-{
-  unsigned int n_refused = 0, n_texts = 0;
-  for (const DeclaredParameter &parameter : parameters)
-    for (const std::string &value : odd_values())
-      {
-        const std::string override_text = parameter.path() + "=" + value;
-        SCOPED_TRACE(override_text.substr(0, 200));
-        try
-          {
-            const Answer answer = validate(file, {override_text});
-            // These are no numbers, wherever numbers are wanted.
-            const bool wants_number = parameter.pattern.find("[Double") == 0 ||
-                                      parameter.pattern.find("[Integer") == 0;
-            const bool is_none =
-              value.empty() || value == "1e400" ||
-              value.find_first_not_of("-0123456789e") != std::string::npos;
-            const bool is_never = never_good.count(value) > 0;
-            const bool is_text  = texts.count(parameter.path()) > 0;
-            if ((wants_number && is_none) || (is_never && !is_text))
-              {
-                EXPECT_EQ(answer, Answer::refused);
-              }
-            n_refused +=
-              is_never && !is_text && answer == Answer::refused ? 1 : 0;
-            n_texts += is_never && is_text ? 1 : 0;
-          }
-        catch (const std::exception &error)
-          {
-            ADD_FAILURE() << "neither accepted nor refused: " << error.what();
-          }
-        catch (...)
-          {
-            ADD_FAILURE() << "no exception that a program can catch";
-          }
-      }
-  // Nothing was left out.
-  EXPECT_EQ(n_texts, texts.size() * never_good.size());
-  EXPECT_EQ(n_refused, (parameters.size() - texts.size()) * never_good.size());
-}
+} // namespace program_fuzz

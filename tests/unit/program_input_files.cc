@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/parameter_handler.h>
 
+#include <waker/campaign/input.h>
 #include <waker/output/files.h>
 #include <waker/program/declared_parameters.h>
 #include <waker/program/parameter_hash.h>
 #include <waker/program/parameter_reader.h>
-#include <waker/reliability/input.h>
 
 #include "output_temporary_folder.h"
 #include <gtest/gtest.h>
 #include <regex>
 #include <set>
 
-namespace Waker
+namespace Waker::program_input_files
 {
   namespace
   {
@@ -181,4 +181,4 @@ namespace Waker
     EXPECT_EQ(again->text, parameters->text);
     EXPECT_EQ(again->hash, parameters->hash);
   }
-} // namespace Waker
+} // namespace Waker::program_input_files

@@ -1,74 +1,82 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/simulation/plausibility.h>
 
-#include "reliability_random_dyke.h"
+#include "campaign_random_dyke.h"
 #include <gtest/gtest.h>
 
-// Warnings of loads that are likely in another unit.
-
-namespace
+namespace simulation_strange_loads
 {
-  using namespace Waker;
+  // Warnings of loads that are likely in another unit.
 
-  std::vector<std::string>
-  warnings_of_loads(std::vector<std::string> settings)
+  namespace
   {
-    const auto               input = RandomDyke::coarse(std::move(settings));
-    const Case<2>            the_case(input->simulation, MPI_COMM_SELF);
-    std::vector<std::string> loads;
-    for (const std::string &warning : strange_things(the_case))
-      if (warning.find("Tractions/") == 0 || warning.find("Point loads/") == 0)
-        loads.push_back(warning);
-    return loads;
+    using namespace Waker;
+
+    std::vector<std::string>
+    warnings_of_loads(std::vector<std::string> settings)
+    {
+      const auto               input = RandomDyke::coarse(std::move(settings));
+      const Case<2>            the_case(input->simulation, MPI_COMM_SELF);
+      std::vector<std::string> loads;
+      for (const std::string &warning : strange_things(the_case))
+        if (warning.find("Tractions/") == 0 ||
+            warning.find("Point loads/") == 0)
+          loads.push_back(warning);
+      return loads;
+    }
+
+
+    std::vector<std::string>
+    with_traction(const std::string &value,
+                  const std::string &kind = "pressure")
+    {
+      return warnings_of_loads({"Tractions/Names=load",
+                                "Tractions/load/Kind=" + kind,
+                                "Tractions/load/Value=" + value,
+                                "Tractions/load/Facing=0, 1"});
+    }
+
+
+    std::vector<std::string>
+    with_force(const std::string &force)
+    {
+      return warnings_of_loads({"Point loads/Names=p",
+                                "Point loads/p/Force=" + force,
+                                "Point loads/p/From=14, 4"});
+    }
+  } // namespace
+
+
+  TEST(StrangeLoads, above_1000_kPa)
+  {
+    EXPECT_TRUE(with_traction("15").empty());
+    EXPECT_TRUE(with_traction("-15").empty());
+    EXPECT_TRUE(with_traction("15*y").empty());
+    const auto warnings = with_traction("15000");
+    ASSERT_EQ(warnings.size(), 2u); // its resultant, too
+    EXPECT_EQ(warnings[0].find(
+                "Tractions/load/Value is 15000 kPa; loads on soil "
+                "have up to 1000 kPa"),
+              0u)
+      << warnings[0];
+    EXPECT_EQ(warnings[1].find("Tractions/load: its resultant at t = 0 is"), 0u)
+      << warnings[1];
+    // Also one that comes later, and a component of a vector.
+    EXPECT_EQ(with_traction("min(t, 1)*2000").size(), 1u);
+    EXPECT_EQ(with_traction("0; min(t, 1)*-2000", "vector").size(), 1u);
   }
 
 
-  std::vector<std::string>
-  with_traction(const std::string &value, const std::string &kind = "pressure")
+  TEST(StrangeLoads, many_times_the_weight_of_the_soil)
   {
-    return warnings_of_loads({"Tractions/Names=load",
-                              "Tractions/load/Kind=" + kind,
-                              "Tractions/load/Value=" + value,
-                              "Tractions/load/Facing=0, 1"});
+    EXPECT_TRUE(with_force("0, -100").empty());
+    const auto warnings = with_force("0, -1e6");
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_EQ(warnings[0].find("Point loads/p/Force: its size is 1e+06 kN, "),
+              0u)
+      << warnings[0];
+    EXPECT_NE(warnings[0].find("times the weight of all soil"),
+              std::string::npos)
+      << warnings[0];
   }
-
-
-  std::vector<std::string>
-  with_force(const std::string &force)
-  {
-    return warnings_of_loads({"Point loads/Names=p",
-                              "Point loads/p/Force=" + force,
-                              "Point loads/p/From=14, 4"});
-  }
-} // namespace
-
-
-TEST(StrangeLoads, above_1000_kPa)
-{
-  EXPECT_TRUE(with_traction("15").empty());
-  EXPECT_TRUE(with_traction("-15").empty());
-  EXPECT_TRUE(with_traction("15*y").empty());
-  const auto warnings = with_traction("15000");
-  ASSERT_EQ(warnings.size(), 2u); // its resultant, too
-  EXPECT_EQ(warnings[0].find("Tractions/load/Value is 15000 kPa; loads on soil "
-                             "have up to 1000 kPa"),
-            0u)
-    << warnings[0];
-  EXPECT_EQ(warnings[1].find("Tractions/load: its resultant at t = 0 is"), 0u)
-    << warnings[1];
-  // Also one that comes later, and a component of a vector.
-  EXPECT_EQ(with_traction("min(t, 1)*2000").size(), 1u);
-  EXPECT_EQ(with_traction("0; min(t, 1)*-2000", "vector").size(), 1u);
-}
-
-
-TEST(StrangeLoads, many_times_the_weight_of_the_soil)
-{
-  EXPECT_TRUE(with_force("0, -100").empty());
-  const auto warnings = with_force("0, -1e6");
-  ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_EQ(warnings[0].find("Point loads/p/Force: its size is 1e+06 kN, "), 0u)
-    << warnings[0];
-  EXPECT_NE(warnings[0].find("times the weight of all soil"), std::string::npos)
-    << warnings[0];
-}
+} // namespace simulation_strange_loads

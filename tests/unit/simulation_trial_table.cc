@@ -5,7 +5,7 @@
 #include "output_temporary_folder.h"
 #include <gtest/gtest.h>
 
-namespace Waker
+namespace Waker::simulation_trial_table
 {
   namespace
   {
@@ -96,4 +96,4 @@ namespace Waker
         "0.5,0,40,end time\n2,1,1.25,initial failure\n");
     EXPECT_THROW(TrialTable(folder.path, key, true), UserError);
   }
-} // namespace Waker
+} // namespace Waker::simulation_trial_table

@@ -2,7 +2,7 @@
 #ifndef waker_observers_dyke_geometry_h
 #define waker_observers_dyke_geometry_h
 
-#include <waker/boundary/surface.h>
+#include <waker/surface/shape/surface.h>
 
 #include <array>
 #include <limits>

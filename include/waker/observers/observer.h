@@ -2,11 +2,11 @@
 #ifndef waker_observers_observer_h
 #define waker_observers_observer_h
 
-#include <waker/boundary/tractions.h>
-#include <waker/boundary/wall.h>
-#include <waker/boundary/water_load.h>
+#include <waker/loads/tractions.h>
+#include <waker/loads/water_load.h>
 #include <waker/mechanics/energy.h>
 #include <waker/mechanics/time_scheme.h>
+#include <waker/nodes/wall.h>
 #include <waker/observers/failure_record.h>
 #include <waker/particles/flow_account.h>
 

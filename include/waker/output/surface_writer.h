@@ -2,7 +2,7 @@
 #ifndef waker_output_surface_writer_h
 #define waker_output_surface_writer_h
 
-#include <waker/boundary/facet.h>
+#include <waker/surface/shape/facet.h>
 
 #include <string>
 #include <vector>

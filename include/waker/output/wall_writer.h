@@ -2,7 +2,7 @@
 #ifndef waker_output_wall_writer_h
 #define waker_output_wall_writer_h
 
-#include <waker/boundary/wall.h>
+#include <waker/nodes/wall.h>
 
 #include <string>
 

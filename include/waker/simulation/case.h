@@ -2,15 +2,15 @@
 #ifndef waker_simulation_case_h
 #define waker_simulation_case_h
 
-#include <waker/boundary/tractions.h>
-#include <waker/boundary/user_surface.h>
-#include <waker/boundary/wall.h>
+#include <waker/loads/tractions.h>
 #include <waker/mechanics/gravity_step.h>
 #include <waker/mechanics/stress_update.h>
 #include <waker/nodes/fixities.h>
+#include <waker/nodes/wall.h>
 #include <waker/particles/soil_depths.h>
 #include <waker/simulation/flow.h>
 #include <waker/simulation/parameters.h>
+#include <waker/surface/user_surface.h>
 
 namespace Waker
 {

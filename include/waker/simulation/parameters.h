@@ -2,17 +2,18 @@
 #ifndef waker_simulation_parameters_h
 #define waker_simulation_parameters_h
 
-#include <waker/boundary/parameters.h>
-#include <waker/boundary/traction_parameters.h>
-#include <waker/boundary/wall_parameters.h>
 #include <waker/control/parameters.h>
+#include <waker/loads/parameters.h>
+#include <waker/loads/traction_parameters.h>
 #include <waker/materials/factory.h>
 #include <waker/mechanics/parameters.h>
 #include <waker/nodes/fixities.h>
+#include <waker/nodes/wall_parameters.h>
 #include <waker/output/parameters.h>
 #include <waker/particles/flow_parameters.h>
 #include <waker/particles/point_loads.h>
 #include <waker/particles/soil_profile.h>
+#include <waker/surface/parameters.h>
 
 #include <string>
 #include <vector>

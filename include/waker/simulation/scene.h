@@ -3,16 +3,16 @@
 #define waker_simulation_scene_h
 
 #include <waker/base/last_change.h>
-#include <waker/boundary/facet_load.h>
-#include <waker/boundary/surface_finder.h>
-#include <waker/boundary/tractions.h>
-#include <waker/boundary/wall.h>
-#include <waker/boundary/water_load.h>
+#include <waker/loads/facet_load.h>
+#include <waker/loads/tractions.h>
+#include <waker/loads/water_load.h>
 #include <waker/mapping/weights.h>
 #include <waker/nodes/nodal_state.h>
 #include <waker/nodes/resistance.h>
+#include <waker/nodes/wall.h>
 #include <waker/simulation/case.h>
 #include <waker/simulation/state.h>
+#include <waker/surface/surface_finder.h>
 
 #include <string>
 

@@ -2,10 +2,10 @@
 #ifndef waker_simulation_state_h
 #define waker_simulation_state_h
 
-#include <waker/boundary/tractions.h>
-#include <waker/boundary/wall.h>
 #include <waker/control/stop_rules.h>
+#include <waker/loads/tractions.h>
 #include <waker/mechanics/energy.h>
+#include <waker/nodes/wall.h>
 #include <waker/observers/failure_record.h>
 #include <waker/particles/flow_account.h>
 #include <waker/particles/material_points.h>

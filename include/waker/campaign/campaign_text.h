@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_campaign_campaign_text_h
+#define waker_campaign_campaign_text_h
+
+#include <waker/campaign/progress.h>
+#include <waker/store/campaign_info.h>
+
+#include <cstdint>
+#include <string>
+
+namespace Waker
+{
+  /// What has been computed by all ranks of this start of the program.
+  struct Work
+  {
+    std::uint64_t n    = 0;  // realisations
+    double        busy = 0.; // s, sum of their wall times
+    double        wall = 0.; // s, of the slowest rank
+  };
+
+  /// "12.3 s", "4.5 min", "2.1 h"
+  std::string
+  work_time_text(const double seconds);
+
+  /// What is about to be computed: hash, scenarios, number, seed, ranks.
+  std::string
+  campaign_text(const CampaignInfo &info, const int n_ranks);
+
+  /// "84 of at most 200, S1 12, flooded 9, P(F) = 0.107 [0.0502, 0.194]"; the
+  /// probability only of a single scenario.
+  std::string
+  progress_text(const Progress &progress, const unsigned int n_scenarios);
+
+  /// "200 realisations in 45 s on 2 rank(s): 8000 an hour and core; ranks busy
+  /// 99.1 %"
+  std::string
+  work_text(const Work &work, const int n_ranks);
+
+  /// "120 realisations an hour and core; at most 2.1 h of one core to go"; ""
+  /// where nothing is known of the time that they take.
+  /// @param busy sum of the wall times of those that are done (s)
+  std::string
+  pace_text(const std::uint64_t n_done,
+            const std::uint64_t n_wanted,
+            const double        busy);
+} // namespace Waker
+
+#endif

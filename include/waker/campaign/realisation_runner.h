@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_campaign_realisation_runner_h
+#define waker_campaign_realisation_runner_h
+
+#include <waker/campaign/random_properties.h>
+#include <waker/simulation/attempts.h>
+#include <waker/simulation/realisation.h>
+#include <waker/store/record.h>
+
+#include <csignal>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace Waker
+{
+  /**
+   * A realisation as a function: white noise -> numbers. What a Monte Carlo
+   * campaign, a subset simulation or a program of one's own calls.
+   */
+  template <int dim>
+  class RealisationRunner
+  {
+  public:
+    /**
+     * @param attempts a realisation that fails numerically is begun again with
+     *        half the time step, up to so many times in all
+     * @param communicator of the ranks that share one realisation; one for now
+     * @throws UserError, NumericalFailure (of the gravity step)
+     */
+    RealisationRunner(const Parameters             &parameters,
+                      const RandomFieldsParameters &fields,
+                      const unsigned int            attempts,
+                      const MPI_Comm                communicator);
+
+    const Case<dim> &
+    first_case() const
+    {
+      return cases.first();
+    }
+
+    const RandomProperties<dim> &
+    properties() const
+    {
+      return random_properties;
+    }
+
+    /// Standard normal numbers that a realisation needs.
+    std::size_t
+    n_noise() const
+    {
+      return random_properties.n_noise();
+    }
+
+    /// The state at t = 0 of the realisation of this noise.
+    State<dim>
+    initial(const double *noise) const;
+
+    /**
+     * Run it to its end. `scenario` and `realisation` of the record are the
+     * caller's.
+     *
+     * @param interrupt not 0: stop; may be null
+     * @return nothing if interrupted
+     */
+    std::optional<Record>
+    run(const double *noise, const volatile std::sig_atomic_t *interrupt);
+
+    /// run() for realisation i of a campaign, with its realisation_noise().
+    std::optional<Record>
+    run(const std::uint64_t               seed,
+        const std::uint64_t               realisation,
+        const volatile std::sig_atomic_t *interrupt);
+
+  private:
+    /// @return false if interrupted
+    bool
+    record_run(const Case<dim>                  &the_case,
+               const volatile std::sig_atomic_t *interrupt,
+               State<dim>                       &state,
+               Record                           &record) const;
+
+    Attempts<dim>         cases;
+    RandomProperties<dim> random_properties;
+  };
+} // namespace Waker
+
+#endif

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_loads_wetted_surface_h
+#define waker_loads_wetted_surface_h
+
+#include <waker/surface/facet_links.h>
+#include <waker/surface/shape/facet.h>
+#include <waker/surface/shape/surface.h>
+
+#include <vector>
+
+namespace Waker
+{
+  /// A straight piece of the wetted surface, as loaded.
+  struct LoadedSegment
+  {
+    Point<2>     from;   // m
+    Point<2>     to;     // m
+    Tensor<1, 2> normal; // out of the body
+  };
+
+
+  /**
+   * The outer slope of the largest body, from its outer toe along its surface
+   * up to where it first reaches the water level, the last segment clipped
+   * there (section 5.2.2 of Remmerswaal 2023).
+   *
+   * The outer toe, with the water on the left, is the left end of the body's
+   * contact with the closed bottom of the grid. If the body also leans against
+   * the closed left wall, it is the point where its surface leaves the wall. A
+   * body that touches no bottom starts at its lowest vertex, the left one of
+   * several; if that is more than a cell above the bottom, the body floats and
+   * is wet on both sides of it. One that does not reach the level is loaded
+   * until it meets a closed face again, other than that wall. Water on the
+   * right: mirrored.
+   *
+   * @param level of the water (m)
+   * @param bottom height of the lower side of the grid's box (m)
+   * @param cell_size of the grid (m)
+   * @param wetted overwritten, from the toe up
+   */
+  void
+  find_wetted_segments(const Surface              &surface,
+                       const bool                  water_left,
+                       const double                level,
+                       const double                bottom,
+                       const double                cell_size,
+                       std::vector<LoadedSegment> &wetted);
+
+
+  /**
+   * The same in three dimensions: what the water reaches of the largest body
+   * over its surface, from the outer toe line, without coming up to the level,
+   * clipped at the level. So it comes through a gap in the crest, and stays out
+   * of a hollow behind it, or inside.
+   *
+   * The outer toe line, with the water on the left, is the left end of the
+   * body's contact with the closed bottom, in each slice of the width of a cell
+   * along z. Where this contact begins at the closed left wall, it is the
+   * lowest line where the surface leaves the wall. A body that touches no
+   * bottom, but comes within a cell of it, stands on what of its underside is
+   * as low. One that is higher up floats: it is wet from its lowest vertex on.
+   * Closed faces are not loaded.
+   *
+   * Facets may come from anywhere, as long as they are closed and meet as
+   * FacetLinks can see. Keeps its work arrays from call to call.
+   */
+  class WettedFacets
+  {
+  public:
+    /// @param wetted overwritten
+    void
+    find(const Facets<3> &facets,
+         const bool       water_left,
+         const double     level,
+         const double     bottom,
+         const double     cell_size,
+         Facets<3>       &wetted);
+
+  private:
+    // Keep the links of the part with the largest volume.
+    void
+    find_body(const Facets<3> &facets);
+
+    // Which faces of the grid the facets close the body against. One that
+    // hovers over the bottom: the low part of its underside does.
+    void
+    set_contacts(const Facets<3> &facets,
+                 const double     bottom,
+                 const double     cell_size);
+
+    // Put the facets at the toe on the list `reached`.
+    void
+    start_at_toe(const bool water_left, const double cell_size);
+    void
+    start_at_lowest(const Facets<3> &facets,
+                    const bool       water_left,
+                    const double     cell_size);
+
+    // Go on to all that is linked below the limit (m).
+    void
+    flood(const Facets<3> &facets, const double limit);
+
+    void
+    reach(const unsigned int facet);
+
+    FacetLinks                 finder;
+    std::vector<FacetLink>     links;
+    std::vector<unsigned int>  part;
+    std::vector<double>        volumes;
+    unsigned int               body = 0;  // number of its part
+    std::vector<int>           contacts;  // on_face of each facet, or -1
+    std::vector<double>        outermost; // of each slice: x, towards the water
+    std::vector<double>        lowest;    // of each slice: y on the wall
+    std::vector<unsigned char> at_wall;   // of each slice
+    std::vector<unsigned int>  first_neighbour;
+    std::vector<unsigned int>  neighbours;
+    std::vector<unsigned int>  reached;
+    std::vector<unsigned char> is_reached;
+    Facets<3>                  work;
+  };
+} // namespace Waker
+
+#endif

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_surface_boxes_box_union_faces_h
+#define waker_surface_boxes_box_union_faces_h
+
+#include <waker/surface/boxes/box_union.h>
+#include <waker/surface/boxes/box_union_coordinates.h>
+#include <waker/surface/boxes/box_union_coverage.h>
+#include <waker/surface/shape/facet.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace Waker
+{
+  /**
+   * The surface of a union of boxes along the axes, with its small gaps filled.
+   *
+   * A gap is a stretch between boxes of at most the minimum gap. The gaps along
+   * x are filled, then those along z in what results, then those along y: the
+   * three-dimensional form of what BoxUnionContour does with
+   * BoxUnionRules::symmetric.
+   *
+   * Space is divided into the blocks of BlockCoverage. Those that are covered
+   * are skipped; in each other one the boxes within reach are marked on the
+   * lattice of their own coordinates, and the faces between inside and outside
+   * collected, joined to rectangles and halved to triangles. The facets are
+   * oriented outwards and close the body, but a vertex may lie on the side of
+   * another triangle.
+   *
+   * Linear in the number of boxes near the surface. Keeps its work arrays from
+   * call to call.
+   */
+  class BoxUnionFaces
+  {
+  public:
+    /// @param facets overwritten
+    void
+    find(const std::vector<Box<3>> &boxes,
+         const BoxUnionRules<3>    &rules,
+         Facets<3>                 &facets);
+
+  private:
+    using Index = BlockCoverage<3>::Index;
+    using Ranks = std::array<unsigned int, 3>;
+
+    static constexpr unsigned int none = -1;
+
+    void
+    select(const std::vector<Box<3>> &boxes);
+
+    void
+    rank_coordinates();
+
+    void
+    list_boxes_by_block();
+
+    // Is there nothing to be found in the block, or no such block?
+    bool
+    is_skipped(const Index &block) const;
+
+    // Lay the lattice of a block: its own faces and what of the boxes is
+    // within the reach of its gaps.
+    void
+    lay_lattice(const Index &block);
+
+    void
+    mark_inside(const Index &block);
+
+    // Along x or z, for whole rows of bits along y at once.
+    void
+    fill_rows(const unsigned int direction);
+
+    // Along y, in the cells of the block and next to it.
+    void
+    fill_along_y();
+
+    void
+    collect_faces(const Index &block, Facets<3> &facets);
+
+    void
+    collect_plane(const unsigned int direction,
+                  const unsigned int line,
+                  Facets<3>         &facets);
+
+    void
+    add_rectangle(const unsigned int direction,
+                  const Ranks       &lower,
+                  const Ranks       &upper,
+                  const bool         faces_up,
+                  Facets<3>         &facets) const;
+
+    std::size_t
+    block_number(const Index &block) const;
+
+    BoxUnionRules<3>    rules;
+    BlockCoverage<3>    coverage;
+    std::vector<Box<3>> selected; // cut at the closed faces
+
+    // By direction.
+    std::array<SnappedCoordinates, 3>        coordinates;
+    std::array<std::vector<unsigned int>, 3> box_ranks; // lower, upper of each
+    std::array<std::vector<unsigned int>, 3> block_lines; // ranks
+    std::array<unsigned int, 6>              face_ranks;
+
+    // The boxes within reach of each block.
+    std::vector<std::size_t>  list_begins;
+    std::vector<unsigned int> lists;
+
+    // The lattice of a block: ranks of its lines, the first and last of those
+    // of the block itself, the first and last between the closed faces.
+    std::array<std::vector<unsigned int>, 3> lines;
+    std::array<std::vector<unsigned int>, 3> line_of_rank;
+    Ranks                                    block_begin;
+    Ranks                                    block_end;
+    Ranks                                    near_begin; // and one more cell
+    Ranks                                    near_end;
+    Ranks                                    open_begin;
+    Ranks                                    open_end;
+    Ranks                                    strides;
+    std::size_t                              words_per_row; // along y
+    std::vector<std::uint64_t>               bits;          // inside, y fastest
+    std::vector<unsigned int>                reaches;
+    std::vector<unsigned char>               inside; // the same, of the block
+    std::vector<signed char>                 plane;
+  };
+} // namespace Waker
+
+#endif

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_surface_surface_finder_h
+#define waker_surface_surface_finder_h
+
+#include <waker/surface/cell_surface.h>
+#include <waker/surface/domain_contour.h>
+#include <waker/surface/holes.h>
+#include <waker/surface/proximity_field.h>
+#include <waker/surface/shape/facet.h>
+#include <waker/surface/shape/surface.h>
+
+#include <string>
+#include <vector>
+
+namespace Waker
+{
+  /// What can be found from the points alone.
+  enum class FoundSurface
+  {
+    proximity_field,
+    contour,       // of the support domains
+    surface_nodes, // between active and inactive cells
+    volume         // of the points in each cell
+  };
+
+  constexpr FoundSurface
+  found_by(const SurfaceMethod method)
+  {
+    return method == SurfaceMethod::contour ? FoundSurface::contour
+                                            : FoundSurface::proximity_field;
+  }
+
+
+  /**
+   * All surfaces that can be found from the points alone. Each is found when it
+   * is first asked for and kept until the points move: water, tractions and
+   * observers share them.
+   */
+  template <int dim>
+  class SurfaceFinder
+  {
+  public:
+    SurfaceFinder(const BackgroundGrid<dim> &grid,
+                  const SurfaceParameters   &parameters,
+                  const ShapeFunctions       functions,
+                  const unsigned int         closed_faces);
+
+    /// From now on the surfaces are those of these points, which must stay.
+    void
+    reset(const MaterialPoints<dim> &points);
+
+    /// Is the surface one in space, with facets that are more than chains?
+    bool
+    is_spatial() const
+    {
+      return dim == 3 && !parameters.prismatic;
+    }
+
+    /// The chains of the surface that Surface/Method asks for, for water and
+    /// observers; in 3D of the body's projection on the x-y plane.
+    const Surface &
+    chains();
+
+    /// The facets of the same surface.
+    const Facets<dim> &
+    facets()
+    {
+      return facets(found_by(parameters.method), "Surface/Method");
+    }
+
+    /// The chains as they were found last.
+    const Surface &
+    last_chains() const;
+
+    /**
+     * The facets of a surface.
+     * @param path of the parameter that asks for it, for errors
+     * @throws UserError if the body has no such surface
+     */
+    const Facets<dim> &
+    facets(const FoundSurface which, const std::string &path);
+
+    /// The proximity field as last computed; empty if it was not needed.
+    const std::vector<double> &
+    proximity_field() const;
+
+  private:
+    struct Found
+    {
+      bool        is_valid = false;
+      Facets<dim> facets;
+    };
+
+    const Surface &
+    chains(const FoundSurface which);
+
+    BackgroundGrid<dim> const *grid;
+    SurfaceParameters          parameters;
+    ShapeFunctions             functions;
+    const MaterialPoints<dim> *points = nullptr;
+
+    ProximityField<dim> proximity;
+    DomainContour<dim>  contour;
+    CellSurface<dim>    cells;
+    Holes               holes;
+
+    bool    has_chains[2] = {false, false}; // proximity field, contour
+    Surface found_chains[2];
+    Found   found[4]; // proximity field, contour, surface nodes, volume
+    bool    has_field = false;
+  };
+} // namespace Waker
+
+#endif

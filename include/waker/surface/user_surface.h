@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_surface_user_surface_h
+#define waker_surface_user_surface_h
+
+#include <waker/grid/background_grid.h>
+#include <waker/nodes/nodal_state.h>
+#include <waker/surface/shape/facet.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace Waker
+{
+  /**
+   * A surface that the user gives: closed chains of segments in 2D, closed
+   * triangulations in 3D. How its vertices hang together never changes; where
+   * they are is part of the state of a run.
+   */
+  template <int dim>
+  struct UserSurface
+  {
+    std::vector<Point<dim>>                    vertices; // m, at t = 0
+    std::vector<std::array<unsigned int, dim>> elements; // body on the left
+
+    /// The facets, with the vertices where they are now.
+    /// @param facets overwritten
+    void
+    to_facets(const std::vector<Point<dim>> &moved_vertices,
+              Facets<dim>                   &facets) const;
+  };
+
+  /**
+   * Read a surface and check it.
+   *
+   * 2D: a text file with "x y" or "x, y" (m) of a vertex per line, the body on
+   * the left, the last vertex of a chain the same as the first, empty lines
+   * between chains, # for comments. 3D: an STL file, text or binary.
+   *
+   * @param path of the parameter with the file's name, for the error
+   * @throws UserError: no such file; not readable; fewer than three vertices; a
+   * chain or triangulation that is open; chains that cross (2D); the soil on
+   * the wrong side (no positive volume); a vertex outside the grid's box
+   */
+  template <int dim>
+  UserSurface<dim>
+  read_user_surface(const std::string         &file,
+                    const std::string         &path,
+                    const BackgroundGrid<dim> &grid);
+
+  /// The checks of read_user_surface() on a surface of any origin.
+  /// @param name of it, for the error
+  template <int dim>
+  void
+  check_user_surface(const UserSurface<dim>    &surface,
+                     const std::string         &name,
+                     const std::string         &path,
+                     const BackgroundGrid<dim> &grid);
+
+  /**
+   * Carry vertices with the material: x += sum_i N_i du_i / sum_i N_i over the
+   * nodes with mass of the cell, with linear functions N_i. A vertex in a cell
+   * without material follows the closest node with mass within two cells, and
+   * rests if there is none.
+   *
+   * @param nodes with the increments of the step just done
+   */
+  template <int dim>
+  void
+  carry_vertices(const BackgroundGrid<dim> &grid,
+                 const NodalState          &nodes,
+                 std::vector<Point<dim>>   &vertices);
+} // namespace Waker
+
+#endif

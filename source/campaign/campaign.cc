@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/errors.h>
+#include <waker/base/hash.h>
+#include <waker/base/log.h>
+#include <waker/base/sizes.h>
+#include <waker/campaign/campaign_folder.h>
+#include <waker/campaign/campaign_text.h>
+#include <waker/campaign/folder_watch.h>
+#include <waker/campaign/realisation_runner.h>
+#include <waker/campaign/schedule.h>
+#include <waker/campaign/snapshots.h>
+#include <waker/output/files.h>
+#include <waker/output/output_folder.h>
+#include <waker/output/summary.h>
+#include <waker/simulation/describe.h>
+#include <waker/simulation/sizes.h>
+#include <waker/statistics/report.h>
+#include <waker/store/campaign_files.h>
+#include <waker/store/journal.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <iostream>
+#include <optional>
+
+namespace Waker
+{
+  CampaignInfo
+  campaign_info(const Scenarios &scenarios)
+  {
+    const Input  &first = *scenarios[0];
+    CampaignInfo  info;
+    const Summary program; // knows what it was built from
+    info.version         = program.version;
+    info.compiler        = program.compiler;
+    info.build_flags     = program.build_flags;
+    info.seed            = first.reliability.campaign.seed;
+    info.realisations    = first.reliability.campaign.realisations;
+    info.swept_parameter = first.reliability.sweep.parameter;
+    info.parameters      = first.simulation.text;
+
+    const std::vector<std::string> values = first.reliability.sweep.list();
+    for (std::size_t s = 0; s < scenarios.size(); ++s)
+      {
+        const Input &input = *scenarios[s];
+        ScenarioInfo scenario;
+        scenario.value = values[s];
+        scenario.hash  = input.campaign_hash;
+        if (input.simulation.water.stands())
+          scenario.water_level = input.simulation.water.level;
+        // fmax, fmin: NaN is no number to compare with.
+        for (const LayerParameters &layer : input.simulation.layers)
+          for (const auto &corner : layer.corners())
+            {
+              scenario.crest_level = std::fmax(scenario.crest_level, corner[1]);
+              scenario.base_level  = std::fmin(scenario.base_level, corner[1]);
+            }
+        if (!input.reliability.fields.fields.empty())
+          scenario.scales = input.reliability.fields.fields[0].scales;
+        info.scenarios.push_back(scenario);
+        info.hash += (s > 0 ? "-" : "") + scenario.hash;
+      }
+    info.hash = hash_of_text(info.hash);
+    return info;
+  }
+
+
+  namespace
+  {
+    std::string
+    log_name(const CampaignOptions &options)
+    {
+      if (options.n_chunks > 1)
+        return chunk_log_name(options.chunk, options.n_chunks);
+      if (options.first > 0 || options.last != std::uint64_t(-1))
+        return interval_log_name(options.first);
+      return file_name(OutputFile::log);
+    }
+
+
+    template <int dim>
+    using Runners = std::vector<std::unique_ptr<RealisationRunner<dim>>>;
+
+
+    template <int dim>
+    Runners<dim>
+    make_runners(const Scenarios &scenarios)
+    {
+      Runners<dim> runners;
+      for (const auto &scenario : scenarios)
+        {
+          const std::size_t      n     = runners.size();
+          const SweepParameters &sweep = scenario->reliability.sweep;
+          const std::string      swept = sweep.parameter;
+          const std::string      value = swept.empty() ? "" : sweep.list()[n];
+          try
+            {
+              runners.push_back(std::make_unique<RealisationRunner<dim>>(
+                scenario->simulation,
+                scenario->reliability.fields,
+                scenario->reliability.campaign.attempts,
+                MPI_COMM_SELF));
+            }
+          catch (const NumericalFailure &failure)
+            {
+              throw NumericalFailure(
+                swept.empty() ? failure.what()
+                              : "scenario " + std::to_string(n) + " (" + swept +
+                                  " = " + value + "): " + failure.what());
+            }
+          catch (const UserError &error)
+            {
+              if (swept.empty() || error.where == swept)
+                throw;
+              // Where the scenarios before were good only the value can be
+              // wrong.
+              if (n > 0)
+                throw UserError(swept,
+                                "is " + value + ": " + error.where + ": " +
+                                  error.problem,
+                                error.allowed);
+              throw UserError(error.where,
+                              error.problem + " (" + swept + " is " + value +
+                                ")",
+                              error.allowed);
+            }
+        }
+      return runners;
+    }
+
+
+    /// Each rank needs as much (bytes): is there enough for those that share
+    /// this machine?
+    void
+    check_memory_of_ranks(const double memory, const MPI_Comm communicator)
+    {
+      MPI_Comm machine;
+      MPI_Comm_split_type(
+        communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
+      const unsigned int n = Utilities::MPI::n_mpi_processes(machine);
+      MPI_Comm_free(&machine);
+      require_memory("command line",
+                     "started on " + std::to_string(n) +
+                       " ranks on this machine",
+                     n * memory,
+                     "fewer ranks");
+    }
+
+
+    /// Draw tasks until none is left. @return false if interrupted
+    template <int dim>
+    bool
+    compute_tasks(const Runners<dim>    &runners,
+                  const Schedule        &schedule,
+                  const CampaignOptions &options,
+                  const std::uint64_t    seed,
+                  const std::string     &folder,
+                  const std::string     &hash,
+                  const MPI_Comm         communicator,
+                  const CampaignWriter  &campaign_writer,
+                  FolderWatch           &watch,
+                  Work                  &work,
+                  Log                   &log)
+    {
+      IndexCounter                 counter(communicator);
+      std::optional<JournalWriter> writer;
+      Progress                    &progress = watch.progress;
+      std::uint64_t                batch    = -1;
+      while (true)
+        {
+          const std::uint64_t number =
+            counter.next() * options.n_chunks + options.chunk - 1;
+          if (number >= schedule.size())
+            return true;
+          const Task task = schedule.task(number);
+          if (task.batch != batch)
+            {
+              watch.poll();
+              batch = task.batch;
+            }
+          if (task.realisation >= progress.end(task.scenario) ||
+              progress.is_done(task.scenario, task.realisation))
+            continue;
+          // Another process may be at it, or have finished it just now.
+          const auto claim =
+            campaign_writer.claim(task.scenario, task.realisation);
+          if (!claim)
+            continue;
+          watch.poll();
+          if (progress.is_done(task.scenario, task.realisation))
+            continue;
+
+          std::optional<Record> record =
+            runners[task.scenario]->run(seed,
+                                        task.realisation,
+                                        options.interrupt);
+          if (!record)
+            return false;
+          record->scenario = task.scenario;
+          if (!writer)
+            writer.emplace(folder, hash);
+          writer->append(*record);
+          progress.add(*record);
+          ++work.n;
+          work.busy += record->wall_time;
+
+          if (log.progress_due())
+            {
+              watch.poll();
+              log.progress(double(progress.n_done()) / progress.n_wanted(),
+                           progress_text(progress, runners.size()));
+            }
+        }
+    }
+  } // namespace
+
+
+  template <int dim>
+  CampaignStatus
+  run_campaign(const Scenarios       &scenarios,
+               const CampaignOptions &options,
+               const MPI_Comm         communicator)
+  {
+    const CampaignParameters &parameters = scenarios[0]->reliability.campaign;
+    const std::string &folder  = scenarios[0]->simulation.output.directory;
+    const CampaignInfo info    = campaign_info(scenarios);
+    const int          rank    = Utilities::MPI::this_mpi_process(communicator);
+    const int          n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+    const auto         last =
+      std::min<std::uint64_t>(options.last, parameters.realisations);
+    if (options.first >= last)
+      throw UserError("command line",
+                      "--realisations begins at " +
+                        std::to_string(options.first),
+                      "numbers from 0 to Campaign/Realisations - 1, " +
+                        std::to_string(parameters.realisations - 1));
+
+    // All input is checked before anything is written.
+    read_level_distribution(scenarios[0]->reliability.analysis.risk);
+    if (rank == 0)
+      check_campaign_folder(folder, info, options);
+    const Runners<dim> runners = make_runners<dim>(scenarios);
+
+    Log log =
+      rank == 0 ? Log(std::cout, n_ranks == 1 && Log::is_terminal()) : Log();
+    std::unique_ptr<CampaignWriter> campaign_writer;
+    check_memory_of_ranks(run_sizes(runners[0]->first_case()).memory,
+                          communicator);
+    if (options.before_writing && !options.validate_only)
+      options.before_writing();
+    if (rank == 0 && !options.validate_only)
+      {
+        PreparedFolder prepared =
+          prepare_campaign_folder(folder, info, options);
+        campaign_writer = std::move(prepared.writer);
+        log.open_file(join_path(folder, log_name(options)),
+                      options.resume || options.is_part);
+        if (!prepared.warning.empty())
+          log.warning(prepared.warning);
+      }
+    describe_case(runners[0]->first_case(), log);
+    for (const std::string &line : runners[0]->properties().description())
+      log.line(line);
+    for (const std::string &warning : runners[0]->properties().warnings())
+      log.warning(warning);
+    log.line(campaign_text(info, n_ranks));
+    if (options.validate_only)
+      {
+        log.line(valid_text(folder));
+        return CampaignStatus::completed;
+      }
+    MPI_Barrier(communicator); // the folder is there
+    if (rank != 0)
+      campaign_writer = std::make_unique<CampaignWriter>(folder);
+
+    FolderWatch watch(folder, info.hash, parameters, scenarios.size());
+    Progress   &progress = watch.progress;
+    if (progress.n_done() > 0)
+      log.line("Found " + std::to_string(progress.n_done()) +
+               " finished realisations.");
+    if (watch.n_damaged() > 0)
+      log.line(std::to_string(watch.n_damaged()) +
+               " damaged line(s) of journals dropped (waker status says "
+               "which); what is missing is computed again.");
+
+    Work       work;
+    const auto start    = std::chrono::steady_clock::now();
+    const bool finished = compute_tasks<dim>(
+      runners,
+      Schedule(scenarios.size(), options.first, last, parameters.batch),
+      options,
+      parameters.seed,
+      folder,
+      info.hash,
+      communicator,
+      *campaign_writer,
+      watch,
+      work,
+      log);
+    work.wall =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
+        .count();
+
+    // Waits for all ranks: then all journals are complete.
+    work.n    = Utilities::MPI::sum(work.n, communicator);
+    work.busy = Utilities::MPI::sum(work.busy, communicator);
+    work.wall = Utilities::MPI::max(work.wall, communicator);
+    const bool interrupted =
+      Utilities::MPI::max(finished ? 0 : 1, communicator) == 1;
+    watch.poll();
+    log.end_progress();
+    if (work.n > 0)
+      log.line(work_text(work, n_ranks));
+    log.line(progress_text(progress, scenarios.size()));
+    if (interrupted)
+      {
+        log.line("Interrupted; go on with --resume.");
+        return CampaignStatus::interrupted;
+      }
+    // What one rank sees on a shared disk counts for all.
+    int counts[] = {progress.complete() ? 1 : 0, progress.has_result() ? 1 : 0};
+    MPI_Bcast(counts, 2, MPI_INT, 0, communicator);
+    const bool complete = counts[0] == 1, has_result = counts[1] == 1;
+    if (!complete)
+      {
+        log.line("Other parts of the campaign are missing or still at work: "
+                 "waker status " +
+                 folder);
+        return CampaignStatus::completed;
+      }
+
+    const bool done = make_snapshots<dim>(
+      scenarios, folder, info.hash, options.interrupt, communicator);
+    if (rank == 0)
+      merge_campaign(folder, *scenarios[0], false, log);
+    if (!done)
+      {
+        log.line("Interrupted before all snapshots were made; go on with "
+                 "--resume.");
+        return CampaignStatus::interrupted;
+      }
+    if (!has_result)
+      return CampaignStatus::no_result;
+    return CampaignStatus::completed;
+  }
+
+
+  template CampaignStatus
+  run_campaign<2>(const Scenarios &, const CampaignOptions &, const MPI_Comm);
+  template CampaignStatus
+  run_campaign<3>(const Scenarios &, const CampaignOptions &, const MPI_Comm);
+} // namespace Waker

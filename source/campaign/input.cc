@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/errors.h>
+#include <waker/base/sizes.h>
+#include <waker/campaign/input.h>
+#include <waker/statistics/histograms.h>
+
+#include <algorithm>
+
+namespace Waker
+{
+  void
+  ReliabilityParameters::check(const unsigned int dim) const
+  {
+    fields.check(dim);
+    campaign.check();
+    sweep.check();
+    analysis.check();
+    for (const unsigned int number : snapshots.realisations)
+      if (number >= campaign.realisations)
+        throw UserError("Snapshots/Realisations",
+                        "contains " + std::to_string(number),
+                        "numbers from 0 to Campaign/Realisations - 1, " +
+                          std::to_string(campaign.realisations - 1));
+
+    // One mark per realisation and scenario is kept: see Progress.
+    const double n = double(campaign.realisations) * sweep.list().size();
+    checked_count("Campaign/Realisations",
+                  n,
+                  "realisations in all scenarios",
+                  1e8,
+                  "as many as a campaign may need at most");
+  }
+
+
+  void
+  Input::check() const
+  {
+    simulation.check();
+    const unsigned int dim = simulation.dimension;
+    reliability.check(dim);
+
+    // No width or height of a dyke is larger than the box.
+    const HistogramParameters &bins       = reliability.analysis.histograms;
+    const auto                 check_bins = [&](const std::string &name,
+                                const double       width,
+                                const unsigned int direction) {
+      checked_count("Histograms/" + name,
+                    (simulation.grid.upper_corner[direction] -
+                     simulation.grid.lower_corner[direction]) /
+                      width,
+                    "bins over the size of the box",
+                    most_bins,
+                    "wider bins");
+    };
+    check_bins("Width bin", bins.width_bin, 0);
+    check_bins("Height bin", bins.height_bin, 1);
+    check_bins("Resistance bin", bins.resistance_bin, 0);
+  }
+} // namespace Waker

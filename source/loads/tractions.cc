@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/utilities.h>
+
+#include <waker/base/errors.h>
+#include <waker/loads/tractions.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Waker
+{
+  template <int dim>
+  std::vector<UserSurface<dim>>
+  read_surfaces(const std::vector<TractionParameters> &tractions,
+                const BackgroundGrid<dim>             &grid)
+  {
+    std::vector<UserSurface<dim>> surfaces(tractions.size());
+    for (std::size_t i = 0; i < tractions.size(); ++i)
+      if (tractions[i].has_user_surface())
+        surfaces[i] = read_user_surface<dim>(tractions[i].surface_file,
+                                             "Tractions/" + tractions[i].name +
+                                               "/Surface file",
+                                             grid);
+    return surfaces;
+  }
+
+
+  template <int dim>
+  Tractions<dim>::Tractions(const BackgroundGrid<dim>             &grid,
+                            const std::vector<TractionParameters> &parameters,
+                            const std::vector<UserSurface<dim>>   &surfaces,
+                            const std::vector<RidingLoad<dim>>    &riding)
+    : grid(&grid)
+    , load(grid)
+    , shares(grid)
+  {
+    AssertDimension(surfaces.size(), parameters.size());
+    AssertDimension(riding.size(), parameters.size());
+    const double tolerance = 1e-9 * grid.cell_size();
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+      {
+        items.push_back({parameters[i],
+                         Traction<dim>(parameters[i], tolerance),
+                         &riding[i],
+                         make_placement(parameters[i], surfaces[i]),
+                         {},
+                         {},
+                         {},
+                         NodalVector(grid.n_dofs()),
+                         {}});
+      }
+  }
+
+
+  template <int dim>
+  bool
+  Tractions<dim>::moves() const
+  {
+    return std::any_of(items.begin(), items.end(), [](const Item &item) {
+      return !item.placement->is_fixed() && item.traction.moves();
+    });
+  }
+
+
+  template <int dim>
+  double
+  Tractions<dim>::last_change() const
+  {
+    double last = LastChange::never;
+    for (const Item &item : items)
+      if (!item.placement->is_fixed())
+        last = std::max(last, item.traction.last_change());
+    return last;
+  }
+
+
+  template <int dim>
+  std::string
+  Tractions<dim>::varying(const double from, const double to) const
+  {
+    for (const Item &item : items)
+      if (!item.placement->is_fixed() &&
+          item.traction.varies(item.part, from, to))
+        return "Tractions/" + item.parameters.name;
+    return "";
+  }
+
+
+  template <int dim>
+  void
+  Tractions<dim>::find(const MaterialPoints<dim>  &points,
+                       const SurfaceVertices<dim> &vertices,
+                       SurfaceFinder<dim>         &finder)
+  {
+    bool sorted = false;
+    for (std::size_t i = 0; i < items.size(); ++i)
+      {
+        Item &item = items[i];
+        // Loads that were fixed need no surface any more.
+        if (has_fixed_loads(item, points))
+          {
+            item.part.clear();
+            continue;
+          }
+        const std::string path = "Tractions/" + item.parameters.name;
+        if (item.placement->is_carried() ||
+            (item.rides() && !item.riding->on_points))
+          {
+            for (const Point<dim> &x : vertices[i])
+              if (!grid->contains(x))
+                throw NumericalFailure(path +
+                                       ": a vertex of the carried surface has "
+                                       "left the grid");
+          }
+        if (item.rides())
+          item.riding->place(points, vertices[i], item.part, item.placed);
+        else
+          item.traction.select(
+            item.placement->surface(vertices[i], finder, path), item.part);
+        if (item.placement->on_points() && !sorted)
+          {
+            shares.sort(points);
+            sorted = true;
+          }
+      }
+  }
+
+
+  template <int dim>
+  void
+  Tractions<dim>::ride(const MaterialPoints<dim>    &points,
+                       std::vector<RidingLoad<dim>> &riding)
+  {
+    shares.sort(points);
+    for (std::size_t i = 0; i < items.size(); ++i)
+      {
+        const Item &item = items[i];
+        Assert(item.riding == &riding[i], ExcInternalError());
+        if (item.placement->is_fixed())
+          for (const Facet<dim> &facet : item.loaded)
+            riding[i].measure += facet.measure();
+        if (!item.parameters.rides())
+          continue;
+        if (item.placement->is_carried())
+          riding[i].ride_on_vertices(item.part);
+        else
+          {
+            riding[i].ride_on_points(item.part, points, shares);
+            // A pressure must know how the surface turns.
+            riding[i].has_vertices =
+              item.parameters.kind == TractionKind::pressure;
+          }
+      }
+  }
+
+
+  template <int dim>
+  void
+  Tractions<dim>::add(const double               t,
+                      const MaterialPoints<dim> &points,
+                      const std::vector<double> &node_mass,
+                      const double               full_node_mass,
+                      NodalVector               &force)
+  {
+    for (Item &item : items)
+      {
+        item.traction.set_time(t);
+        item.loaded = item.part;
+        item.traction.keep_loaded(item.loaded);
+        load.clear();
+        if (item.placement->on_points())
+          add_point_loads(item, points);
+        else
+          add_facets(item);
+        item.total = item.lost = 0.;
+        for (const unsigned int node : load.nodes())
+          {
+            double square = 0.;
+            for (unsigned int d = 0; d < dim; ++d)
+              square +=
+                Utilities::fixed_power<2>(load.nodal_forces()[dim * node + d]);
+            const double size = std::sqrt(square);
+            item.total += size;
+            if (!(node_mass[node] > 0.) &&
+                item.parameters.minimum_support == 0.)
+              item.lost += size;
+          }
+        item.force = 0.;
+        load.distribute(node_mass,
+                        item.parameters.minimum_support * full_node_mass,
+                        item.force);
+        force += item.force;
+      }
+  }
+
+
+  template <int dim>
+  void
+  Tractions<dim>::add_facets(const Item &item)
+  {
+    for (std::size_t k = 0; k < item.loaded.size(); ++k)
+      {
+        const Facet<dim> &facet = item.loaded[k];
+        // Vertices that have met: what rides on them does not vanish.
+        if (item.rides() &&
+            !(facet.measure() > 1e-9 * item.placed[k].piece->start.measure()))
+          {
+            const auto  &placed = item.placed[k];
+            const double start  = placed.piece->start.measure();
+            load.add(facet.vertices[0],
+                     item.traction.force(start,
+                                         placed.area,
+                                         placed.piece->start.vertices[0]));
+            continue;
+          }
+        load.add(facet, [&](const Facet<dim> &, const Point<dim> &x) {
+          return item.value(k, x);
+        });
+      }
+  }
+
+
+  template std::vector<UserSurface<2>>
+  read_surfaces(const std::vector<TractionParameters> &,
+                const BackgroundGrid<2> &);
+  template std::vector<UserSurface<3>>
+  read_surfaces(const std::vector<TractionParameters> &,
+                const BackgroundGrid<3> &);
+  template class Tractions<2>;
+  template class Tractions<3>;
+} // namespace Waker

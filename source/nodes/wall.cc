@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/errors.h>
+#include <waker/base/text.h>
+#include <waker/nodes/wall.h>
+#include <waker/nodes/wall_spots.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Waker
+{
+  namespace
+  {
+    /// Spots per cell and direction.
+    constexpr double spots_per_cell = 4.;
+
+
+    template <int dim>
+    std::vector<Expression<dim>>
+    read_motion(const WallParameters &wall, const double h)
+    {
+      const std::string path = "Walls/" + wall.name + "/Displacement";
+      std::vector<Expression<dim>> motion;
+      for (const std::string &text : split(wall.displacement, ';'))
+        {
+          motion.emplace_back(text, path);
+          const Expression<dim> &u = motion.back();
+          if (!u.is_uniform())
+            throw UserError(path,
+                            "\"" + text + "\" depends on the place",
+                            "expressions of t: a wall is rigid");
+          if (!(std::abs(u.value(Point<dim>(), 0.)) <= 1e-9 * h))
+            throw UserError(path,
+                            "\"" + text + "\" is not 0 at t = 0",
+                            "displacements that start at 0");
+        }
+      return motion;
+    }
+  } // namespace
+
+
+  template <int dim>
+  Walls<dim>::Walls(const BackgroundGrid<dim>         &grid,
+                    const std::vector<WallParameters> &parameters,
+                    const double                       modulus,
+                    const double                       full_node_mass)
+    : grid(&grid)
+    , full_node_mass(full_node_mass)
+  {
+    const double h = grid.cell_size();
+    for (const WallParameters &p : parameters)
+      {
+        const std::string path = "Walls/" + p.name + "/Line";
+        for (const WallSpot<dim> &spot :
+             make_wall_spots<dim>(p.line, h / spots_per_cell, path))
+          {
+            if (!grid.contains(spot.x))
+              throw UserError(path,
+                              "the wall leaves the grid",
+                              "corners inside the grid and its margin");
+            spots.push_back({static_cast<unsigned int>(walls.size()),
+                             spot.x,
+                             spot.x,
+                             spot.normal,
+                             spot.area,
+                             false});
+          }
+        wall_names.push_back(p.name);
+        walls.push_back({p.type == WallType::smooth,
+                         p.penalty_factor * modulus / h,
+                         read_motion<dim>(p, h),
+                         Tensor<1, dim>()});
+      }
+  }
+
+
+  template <int dim>
+  Tensor<1, dim>
+  Walls<dim>::displacement(const Wall &wall, const double t) const
+  {
+    Tensor<1, dim> u;
+    for (unsigned int d = 0; d < wall.motion.size(); ++d)
+      {
+        u[d] = wall.motion[d].value(Point<dim>(), t);
+        if (!std::isfinite(u[d]))
+          throw NumericalFailure(
+            "The displacement of a wall, \"" + wall.motion[d].text() +
+            "\", is no finite number at t = " + std::to_string(t) + " s.");
+      }
+    return u;
+  }
+
+
+  template <int dim>
+  void
+  Walls<dim>::set_step(const double t, const double dt)
+  {
+    for (Wall &wall : walls)
+      wall.target = displacement(wall, t + dt) - displacement(wall, t);
+  }
+
+
+  template <int dim>
+  double
+  Walls<dim>::last_change() const
+  {
+    double last = LastChange::never;
+    for (const Wall &wall : walls)
+      for (const Expression<dim> &u : wall.motion)
+        last = std::max(last, u.last_change());
+    return last;
+  }
+
+
+  template <int dim>
+  std::string
+  Walls<dim>::varying(const double from, const double to) const
+  {
+    for (std::size_t w = 0; w < walls.size(); ++w)
+      for (const Expression<dim> &u : walls[w].motion)
+        if (u.varies(Point<dim>(), from, to))
+          return "Walls/" + wall_names[w];
+    return "";
+  }
+
+
+  template <int dim>
+  Tensor<1, dim>
+  Walls<dim>::value(const Contact &contact, const NodalVector &u) const
+  {
+    Tensor<1, dim> sum;
+    for (std::size_t k = contact.begin; k < contact.end; ++k)
+      for (unsigned int c = 0; c < dim; ++c)
+        sum[c] += weights[k] * u.begin()[dim * nodes[k] + c];
+    return sum;
+  }
+
+
+  template <int dim>
+  Tensor<1, dim>
+  Walls<dim>::held(const Spot &spot, const Tensor<1, dim> &u) const
+  {
+    return walls[spot.wall].smooth ? (spot.normal * u) * spot.normal : u;
+  }
+
+
+  template <int dim>
+  Tensor<1, dim>
+  Walls<dim>::traction(const Contact     &contact,
+                       const NodalVector &increment) const
+  {
+    const Spot &spot = spots[contact.spot];
+    const Wall &wall = walls[spot.wall];
+    return contact.traction -
+           wall.stiffness * held(spot, value(contact, increment) - wall.target);
+  }
+
+
+  template <int dim>
+  void
+  Walls<dim>::scatter(const Contact        &contact,
+                      const Tensor<1, dim> &traction,
+                      NodalVector          &internal) const
+  {
+    const double area = spots[contact.spot].area;
+    for (std::size_t k = contact.begin; k < contact.end; ++k)
+      for (unsigned int c = 0; c < dim; ++c)
+        internal.begin()[dim * nodes[k] + c] -= weights[k] * area * traction[c];
+  }
+
+
+  template <int dim>
+  void
+  Walls<dim>::add_force(const NodalVector &increment, NodalVector &internal)
+  {
+    for (const Contact &contact : contacts)
+      scatter(contact, traction(contact, increment), internal);
+  }
+
+
+  template <int dim>
+  void
+  Walls<dim>::add_start_force(NodalVector &internal)
+  {
+    for (const Contact &contact : contacts)
+      scatter(contact, contact.traction, internal);
+  }
+
+
+  template <int dim>
+  void
+  Walls<dim>::vmult_add(NodalVector &dst, const NodalVector &src) const
+  {
+    for (const Contact &contact : contacts)
+      {
+        const Spot          &spot = spots[contact.spot];
+        const Tensor<1, dim> f    = walls[spot.wall].stiffness * spot.area *
+                                 held(spot, value(contact, src));
+        for (std::size_t k = contact.begin; k < contact.end; ++k)
+          for (unsigned int c = 0; c < dim; ++c)
+            dst.begin()[dim * nodes[k] + c] += weights[k] * f[c];
+      }
+  }
+
+
+  template <int dim>
+  void
+  Walls<dim>::add_diagonal(NodalVector &diagonal) const
+  {
+    // A node may be there twice, with two weights.
+    for (const Contact &contact : contacts)
+      {
+        const Spot &spot = spots[contact.spot];
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            Tensor<1, dim> e;
+            e[c] = 1.;
+            const double k =
+              walls[spot.wall].stiffness * spot.area * held(spot, e)[c];
+            for (std::size_t i = contact.begin; i < contact.end; ++i)
+              for (std::size_t j = contact.begin; j < contact.end; ++j)
+                if (nodes[i] == nodes[j])
+                  diagonal.begin()[dim * nodes[i] + c] +=
+                    weights[i] * weights[j] * k;
+          }
+      }
+  }
+
+
+  template <int dim>
+  ResistanceWork
+  Walls<dim>::work(const NodalVector &increment) const
+  {
+    ResistanceWork sum;
+    for (const Contact &contact : contacts)
+      {
+        const Tensor<1, dim> du =
+          spots[contact.spot].area * value(contact, increment);
+        sum.start += contact.traction * du;
+        sum.end += traction(contact, increment) * du;
+      }
+    return sum;
+  }
+
+
+  template <int dim>
+  Tensor<1, dim>
+  Walls<dim>::accept(const NodalVector &increment, MaterialPoints<dim> &)
+  {
+    Tensor<1, dim> force;
+    for (const Contact &contact : contacts)
+      {
+        (*carried)[contact.spot] = traction(contact, increment);
+        force += spots[contact.spot].area * (*carried)[contact.spot];
+      }
+    return force;
+  }
+
+
+  template <int dim>
+  Tensor<1, dim>
+  Walls<dim>::force(const unsigned int wall, const Tractions &tractions) const
+  {
+    Tensor<1, dim> sum;
+    for (std::size_t q = 0; q < spots.size(); ++q)
+      if (spots[q].wall == wall)
+        sum += spots[q].area * tractions[q];
+    return sum;
+  }
+
+
+  template class Walls<2>;
+  template class Walls<3>;
+} // namespace Waker

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/errors.h>
+#include <waker/statistics/field_moments.h>
+
+#include <cmath>
+
+namespace Waker
+{
+  MaterialVariable::Role
+  role_of(const FieldProperty property)
+  {
+    switch (property)
+      {
+        case FieldProperty::strength:
+          return MaterialVariable::Role::strength;
+        case FieldProperty::residual_strength:
+          return MaterialVariable::Role::residual_strength;
+      }
+    AssertThrow(false, ExcInternalError());
+    return MaterialVariable::Role::history;
+  }
+
+
+  namespace
+  {
+    /// The number of the property among its material's variables.
+    template <int dim>
+    unsigned int
+    variable_number(const Case<dim>             &the_case,
+                    const unsigned int           material,
+                    const RandomFieldParameters &field)
+    {
+      const std::vector<MaterialVariable> variables =
+        the_case.materials[material]->variables();
+      for (unsigned int v = 0; v < variables.size(); ++v)
+        if (variables[v].role == role_of(field.property))
+          return v;
+      throw UserError("Random fields/" + field.name + "/Property",
+                      "is \"" + std::string(name_of(field.property)) +
+                        "\", which the material \"" +
+                        the_case.parameters.materials[material].name +
+                        "\" does not have",
+                      "a material of the model \"von Mises softening\"");
+    }
+  } // namespace
+
+
+  template <int dim>
+  FieldMoments<dim>::FieldMoments(const Case<dim>             &the_case,
+                                  const RandomFieldParameters &field,
+                                  const unsigned int           material)
+    : the_case(&the_case)
+    , field(&field)
+    , own(the_case.materials, the_case.depths)
+    , material(material)
+    , variable(variable_number(the_case, material, field))
+    , name(the_case.materials[material]->variables()[variable].name)
+  {
+    const std::string              path = "Random fields/" + field.name;
+    const std::vector<std::string> none;
+    if (!field.mean.empty())
+      mean.emplace(field.mean, path + "/Mean", none, ", nothing, or a number");
+    if (field.has_standard_deviation())
+      deviation.emplace(field.standard_deviation,
+                        path + "/Standard deviation",
+                        none,
+                        ", or a number");
+  }
+
+
+  template <int dim>
+  std::pair<double, double>
+  FieldMoments<dim>::at(const Point<dim> &x, const unsigned int layer) const
+  {
+    const Depths depths = the_case->depths.at(x, layer);
+    const double m =
+      mean ? mean->value(x, depths) : own.at(material, x, layer)[variable];
+    return {m,
+            deviation ? deviation->value(x, depths)
+                      : field->coefficient_of_variation * m};
+  }
+
+
+  template <int dim>
+  bool
+  FieldMoments<dim>::is_possible(const double mean) const
+  {
+    return std::isfinite(mean) &&
+           (field->property == FieldProperty::residual_strength ? mean >= 0.
+                                                                : mean > 0.);
+  }
+
+
+  template <int dim>
+  unsigned int
+  FieldMoments<dim>::layer_at(const Point<dim>               &x,
+                              const std::vector<std::size_t> &points) const
+  {
+    const unsigned int n_layers = the_case->depths.n_layers();
+    unsigned int       layer    = n_layers;
+    for (const std::size_t q : points)
+      {
+        layer = the_case->layers_of_points[q];
+        if (layer < n_layers && the_case->depths.holds(x, layer))
+          break;
+      }
+    return layer;
+  }
+
+
+  template class FieldMoments<2>;
+  template class FieldMoments<3>;
+} // namespace Waker

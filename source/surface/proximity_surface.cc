@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/numbers.h>
+
+#include <waker/surface/proximity_field.h>
+#include <waker/surface/proximity_surface.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Waker
+{
+  ProximitySurface::ProximitySurface(const BackgroundGrid<3> &grid,
+                                     const SurfaceParameters &parameters,
+                                     const unsigned int       closed_faces)
+    : radius(parameters.kernel_radius)
+    , threshold(parameters.threshold)
+    , h(grid.cell_size())
+    , inverse_h(grid.inverse_cell_size())
+    , origin(grid.origin())
+    , first_traced(0)
+    , nodal_field(grid.n_nodes())
+  {
+    Assert(radius > 0 && radius <= 2, ExcMessage("Kernel radius: 0 to 2."));
+
+    const double a = radius * h;
+    factor         = 15. / (8. * numbers::PI * a * a * a);
+
+    std::array<std::vector<double>, 3> window;
+    for (unsigned int d = 0; d < 3; ++d)
+      {
+        const int  n     = grid.n_nodes_per_direction()[d];
+        const bool lower = closed_faces >> (2 * d) & 1u;
+        const bool upper = closed_faces >> (2 * d + 1) & 1u;
+        const int  m     = BackgroundGrid<3>::margin;
+        n_nodes[d]       = n;
+
+        const double far = 1e6;
+        mirrors[d]       = {{(lower && parameters.mirror) ? m : -far,
+                       (upper && parameters.mirror) ? n - 1 - m : far}};
+
+        // The contour is sought up to a closed face, else over the margin too.
+        const int begin = lower ? m : 0;
+        const int end   = upper ? n - m : n;
+        for (int i = begin; i < end; ++i)
+          window[d].push_back(origin[d] + h * i);
+        if (lower)
+          window[d].front() = grid.lower_corner()[d];
+        if (upper)
+          window[d].back() = grid.upper_corner()[d];
+        first_traced += begin * grid.stride(d);
+      }
+    contour = MarchingCubes(window, closed_faces);
+  }
+
+
+  template <int width>
+  void
+  ProximitySurface::add_kernels(const MaterialPoints<3> &points)
+  {
+    double *const values     = nodal_field.data();
+    const auto    n          = n_nodes;
+    const double  a          = radius;
+    const double  inverse_a2 = 1. / (a * a);
+
+    // x in cells from the origin.
+    const auto add = [=](const std::array<double, 3> &x, const double c) {
+      int    first[3];
+      double u2[3][width];
+      bool   is_within = true;
+      for (unsigned int d = 0; d < 3; ++d)
+        {
+          // First node above x - a, also for x - a a little below zero.
+          first[d] = static_cast<int>(x[d] - a + 8.) - 7;
+          for (int i = 0; i < width; ++i)
+            u2[d][i] =
+              (first[d] + i - x[d]) * (first[d] + i - x[d]) * inverse_a2;
+          is_within = is_within && first[d] >= 0 && first[d] + width <= n[d];
+        }
+
+      for (int k = 0; k < width; ++k)
+        for (int j = 0; j < width; ++j)
+          {
+            const double t = 1. - u2[2][k] - u2[1][j];
+            if (t <= 0.)
+              continue;
+            const int z = first[2] + k;
+            const int y = first[1] + j;
+            if (is_within)
+              {
+                double *const row = values + (z * n[1] + y) * n[0] + first[0];
+                for (int i = 0; i < width; ++i)
+                  row[i] += c * std::max(t - u2[0][i], 0.);
+              }
+            else if (z >= 0 && z < n[2] && y >= 0 && y < n[1])
+              for (int i = 0; i < width; ++i)
+                if (first[0] + i >= 0 && first[0] + i < n[0])
+                  values[(z * n[1] + y) * n[0] + first[0] + i] +=
+                    c * std::max(t - u2[0][i], 0.);
+          }
+    };
+
+    const std::size_t n_points = points.n_points();
+    for (std::size_t p = 0; p < n_points; ++p)
+      {
+        // In each direction the point itself and its images.
+        double xs[3][3];
+        int    n_xs[3];
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            const double x = (points.position[p][d] - origin[d]) * inverse_h;
+            xs[d][0]       = x;
+            n_xs[d]        = 1;
+            for (const double mirror : mirrors[d])
+              if (std::abs(x - mirror) < a)
+                xs[d][n_xs[d]++] = 2 * mirror - x;
+          }
+        const double c = points.volume[p] * factor;
+        for (int k = 0; k < n_xs[2]; ++k)
+          for (int j = 0; j < n_xs[1]; ++j)
+            for (int i = 0; i < n_xs[0]; ++i)
+              add({{xs[0][i], xs[1][j], xs[2][k]}}, c);
+      }
+  }
+
+
+  const std::vector<double> &
+  ProximitySurface::field(const MaterialPoints<3> &points)
+  {
+    std::fill(nodal_field.begin(), nodal_field.end(), 0.);
+    // An open interval of length 2a holds at most ceil(2a) nodes. A fixed
+    // number lets the compiler unroll the loops.
+    switch (static_cast<int>(std::ceil(2 * radius)))
+      {
+        case 1:
+          add_kernels<1>(points);
+          break;
+        case 2:
+          add_kernels<2>(points);
+          break;
+        case 3:
+          add_kernels<3>(points);
+          break;
+        default:
+          add_kernels<4>(points);
+      }
+    return nodal_field;
+  }
+
+
+  void
+  ProximitySurface::detect(const MaterialPoints<3> &points, Facets<3> &facets)
+  {
+    field(points);
+    const unsigned int row   = n_nodes[0];
+    const unsigned int plane = n_nodes[0] * n_nodes[1];
+    contour.trace(nodal_field.data() + first_traced,
+                  {{row, plane}},
+                  threshold,
+                  mesh);
+    to_facets(mesh, 1e-12 * h * h, facets);
+  }
+} // namespace Waker

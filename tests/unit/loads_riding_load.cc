@@ -1,0 +1,484 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/errors.h>
+#include <waker/particles/removal.h>
+#include <waker/simulation/case.h>
+#include <waker/simulation/scene.h>
+
+#include "named.h"
+#include "output_temporary_folder.h"
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace loads_riding_load
+{
+  using namespace Waker;
+
+  namespace
+  {
+    /// A block from 1 to 4 m, 2 m high, on cells of 0.5 m; a load on the middle
+    /// of its top, in a box that is 0.1 m thick.
+    template <int dim>
+    class LoadedBlock
+    {
+    public:
+      LoadedBlock()
+      {
+        parameters.dimension         = dim;
+        parameters.grid.lower_corner = std::vector<double>(dim, 0.);
+        parameters.grid.upper_corner = std::vector<double>(dim, 5.);
+        parameters.grid.cell_size    = 0.5;
+        parameters.materials.resize(1);
+        parameters.materials[0].name  = "soil";
+        parameters.materials[0].model = MaterialModel::linear_elastic;
+        parameters.layers.resize(1);
+        parameters.layers[0].name     = "block";
+        parameters.layers[0].material = "soil";
+        parameters.layers[0].polygon  = "1, 1; 4, 1; 4, 3; 1, 3";
+        if (dim == 3)
+          parameters.layers[0].extent = {1., 4.};
+        parameters.gravity.acceleration   = 0.;
+        parameters.gravity.initial_stress = false;
+        std::ofstream(folder.file("outline"))
+          << "1 1\n4 1\n4 3\n1 3\n1 1\n"; // for 2D
+      }
+
+      /// @param value of a vector: "x; y; z"; of a pressure: one
+      TractionParameters &
+      load(const std::string &method, const std::string &value)
+      {
+        TractionParameters t;
+        t.name   = method;
+        t.method = Named{method};
+        t.kind   = value.find(';') != std::string::npos ? TractionKind::vector
+                                                        : TractionKind::pressure;
+        t.value  = value;
+        t.from   = {1.7, 2.95};
+        t.to     = {2.9, 3.05};
+        if (dim == 3)
+          {
+            t.from.push_back(1.6);
+            t.to.push_back(3.1);
+          }
+        if (method == name_of(TractionMethod::proximity_field))
+          {
+            // It is smooth, and not quite on the block.
+            t.from[1] = 2.8;
+            t.to[1]   = 3.2;
+          }
+        if (method == name_of(TractionMethod::user_surface))
+          t.surface_file = folder.file("outline");
+        parameters.tractions.push_back(t);
+        return parameters.tractions.back();
+      }
+
+      TemporaryFolder folder;
+      Parameters      parameters;
+    };
+
+
+    template <int dim>
+    std::string
+    vector_value()
+    {
+      return dim == 2 ? "3; -25" : "3; -25; 1.5";
+    }
+
+
+    /// Sinks by about 0.4 m, unevenly, and is stirred a little.
+    template <int dim>
+    MaterialPoints<dim>
+    sunk(MaterialPoints<dim> points)
+    {
+      for (std::size_t p = 0; p < points.n_points(); ++p)
+        {
+          Point<dim>  &x = points.position[p];
+          const double X = x[0], Y = x[1];
+          const double s = 0.03 * std::sin(37. * p);
+          x[0] += 0.05 * std::sin(2. * X) + s;
+          x[1] -= 0.3 + 0.1 * std::cos(3. * X) * Y / 3. - s;
+          if (dim == 3)
+            x[2] += 0.04 * std::cos(X + Y);
+        }
+      return points;
+    }
+
+
+    template <int dim>
+    Tensor<1, dim>
+    rotated(const Tensor<1, dim> &x, const double angle)
+    {
+      Tensor<1, dim> y = x;
+      y[0]             = std::cos(angle) * x[0] - std::sin(angle) * x[1];
+      y[1]             = std::sin(angle) * x[0] + std::cos(angle) * x[1];
+      return y;
+    }
+
+
+    template <int dim>
+    double
+    difference(const NodalVector &a, const NodalVector &b)
+    {
+      double largest = 0.;
+      for (unsigned int i = 0; i < a.locally_owned_size(); ++i)
+        largest =
+          std::max(largest, std::abs(a.local_element(i) - b.local_element(i)));
+      return largest;
+    }
+
+
+    // The resultant stays, whatever the soil under it does, and acts on nodes
+    // with mass.
+    template <int dim>
+    void
+    test_sinking(const std::string &method, const double tolerance)
+    {
+      LoadedBlock<dim> block;
+      block.load(method, vector_value<dim>());
+      block.load(method, vector_value<dim>()).follows = TractionFollows::space;
+      const Case<dim> the_case(block.parameters, MPI_COMM_SELF);
+      const double    area = dim == 2 ? 1.2 : 1.2 * 1.5;
+      Scene<dim>      scene(the_case);
+      scene.set(the_case.initial_points);
+      const auto start = scene.tractions.resultant(0, scene.nodes.mass);
+      if (method == name_of(TractionMethod::contour))
+        {
+          EXPECT_NEAR(start.force[1], -25. * area, 1e-12 * 25. * area);
+          EXPECT_NEAR(start.measure, area, 1e-12 * area);
+        }
+
+      const MaterialPoints<dim> points = sunk(the_case.initial_points);
+      scene.set(points, 0., initial_vertices(the_case));
+      const auto now = scene.tractions.resultant(0, scene.nodes.mass);
+      EXPECT_LT((now.force - start.force).norm(),
+                tolerance * start.force.norm())
+        << method;
+      EXPECT_NEAR(now.measure, start.measure, 1e-12 * start.measure);
+
+      // In space it has sunk out of its box.
+      EXPECT_EQ(scene.tractions.resultant(1, scene.nodes.mass).force.norm(),
+                0.);
+      EXPECT_EQ(scene.tractions.resultant(1, scene.nodes.mass).measure, 0.);
+      std::vector<TractionRecord> records;
+      scene.tractions.record(3., records);
+      scene.tractions.record(4., records);
+      ASSERT_EQ(records.size(), 2u);
+      EXPECT_EQ(records[0].empty_time, -1.);
+      EXPECT_EQ(records[1].empty_time, 3.);
+    }
+  } // namespace
+
+
+  TEST(Boundary, a_riding_load_keeps_its_resultant_on_sinking_soil)
+  {
+    test_sinking<2>("contour", 1e-12);
+    test_sinking<3>("contour", 1e-12);
+  }
+
+
+  // The detected surface is off the points: what it loads may have no mass, as
+  // ever. With a minimum support it goes to nodes that have.
+  TEST(Boundary, a_riding_load_on_the_proximity_field)
+  {
+    for (const double support : {0., 0.01})
+      {
+        LoadedBlock<2> block;
+        block.load("proximity field", "3; -25").minimum_support = support;
+        const Case<2> the_case(block.parameters, MPI_COMM_SELF);
+        Scene<2>      scene(the_case);
+        scene.set(the_case.initial_points);
+        const double length =
+          scene.tractions.resultant(0, scene.nodes.mass).measure;
+        EXPECT_NEAR(length, 1.2, 0.05);
+        scene.set(sunk(the_case.initial_points),
+                  0.,
+                  initial_vertices(the_case));
+        const auto now = scene.tractions.resultant(0, scene.nodes.mass);
+        EXPECT_NEAR(now.measure, length, 1e-12);
+        const double error = std::abs(now.force[1] / (-25. * length) - 1.);
+        EXPECT_LT(error, support > 0. ? 1e-12 : 0.5);
+      }
+  }
+
+
+  // Before anything moves, riding or not makes no difference.
+  TEST(Boundary, a_riding_load_at_rest_is_what_it_was)
+  {
+    const auto test = [](auto block, const std::vector<std::string> &methods) {
+      constexpr int dim = decltype(block)::dimension;
+      for (const std::string &method : methods)
+        for (const std::string &value : {vector_value<dim>(),
+                                         std::string("10"),
+                                         std::string("4 + x + 2*y + t")})
+          {
+            LoadedBlock<dim> loaded;
+            loaded.load(method, value).follows = TractionFollows::soil;
+            loaded.load(method, value).follows = TractionFollows::space;
+            const Case<dim> the_case(loaded.parameters, MPI_COMM_SELF);
+            Scene<dim>      scene(the_case);
+            scene.set(the_case.initial_points, 2., initial_vertices(the_case));
+            const NodalVector &soil  = *scene.tractions.view(0).nodal_force;
+            const NodalVector &space = *scene.tractions.view(1).nodal_force;
+            EXPECT_GT(space.l2_norm(), 1.);
+            EXPECT_LT(difference<dim>(soil, space), 1e-12 * space.l2_norm())
+              << method << ", " << value;
+            EXPECT_NEAR(scene.tractions.resultant(0, scene.nodes.mass).measure,
+                        scene.tractions.resultant(1, scene.nodes.mass).measure,
+                        1e-12);
+          }
+    };
+    test(Point<2>(), {"contour", "proximity field", "user surface"});
+    test(Point<3>(), {"contour", "proximity field"});
+  }
+
+
+  // A body that moves as a whole takes its load with it: as if the box had
+  // moved, and an expression of the place belongs to the soil.
+  TEST(Boundary, a_riding_load_on_a_body_that_is_moved)
+  {
+    for (const double shift : {0.5, 0.613})
+      for (const std::string method : {"contour", "user surface"})
+        {
+          LoadedBlock<2> block;
+          block.load(method, "4 + x");
+          TractionParameters &moved = block.load(method, "4 + x - 0.613");
+          if (shift == 0.5)
+            moved.value = "4 + x - 0.5";
+          moved.follows = TractionFollows::space;
+          for (unsigned int d = 0; d < 2; ++d)
+            {
+              moved.from[d] -= d == 0 ? 0. : 0.3;
+              moved.to[d] += d == 0 ? shift : 0.;
+            }
+          moved.from[0] += shift;
+          const Case<2>      the_case(block.parameters, MPI_COMM_SELF);
+          MaterialPoints<2>  points   = the_case.initial_points;
+          SurfaceVertices<2> vertices = initial_vertices(the_case);
+          const Point<2>     by(shift, -0.2);
+          for (Point<2> &x : points.position)
+            x += by;
+          for (auto &list : vertices)
+            for (Point<2> &x : list)
+              x += by;
+          Scene<2> scene(the_case);
+          scene.set(points, 0., vertices);
+          const NodalVector &soil  = *scene.tractions.view(0).nodal_force;
+          const NodalVector &space = *scene.tractions.view(1).nodal_force;
+          EXPECT_GT(space.l2_norm(), 1.);
+          EXPECT_LT(difference<2>(soil, space), 1e-12 * space.l2_norm())
+            << method << ", " << shift;
+        }
+  }
+
+
+  // A pressure turns with the soil, a vector does not. The vertices are carried
+  // by the nodes.
+  template <int dim>
+  void
+  test_rotation(const std::string &method)
+  {
+    LoadedBlock<dim> block;
+    block.load(method, "10");
+    block.load(method, vector_value<dim>());
+    // The domains do not turn: a turned line may leave them.
+    if (method == name_of(TractionMethod::user_surface))
+      for (TractionParameters &t : block.parameters.tractions)
+        t.minimum_support = 0.01;
+    const Case<dim>      the_case(block.parameters, MPI_COMM_SELF);
+    MaterialPoints<dim>  points   = the_case.initial_points;
+    SurfaceVertices<dim> vertices = initial_vertices(the_case);
+    Scene<dim>           scene(the_case);
+    scene.set(points, 0., vertices);
+    const Tensor<1, dim> pressure =
+      scene.tractions.resultant(0, scene.nodes.mass).force;
+    const Tensor<1, dim> vector =
+      scene.tractions.resultant(1, scene.nodes.mass).force;
+    ASSERT_GT(pressure.norm(), 5.);
+
+    const double angle = 0.7;
+    Point<dim>   centre;
+    for (unsigned int d = 0; d < dim; ++d)
+      centre[d] = 2.5;
+    const auto turned = [&](const Point<dim> &x) {
+      return centre + rotated(Tensor<1, dim>(x - centre), angle);
+    };
+    NodalState nodes(the_case.grid);
+    for (unsigned int i = 0; i < the_case.grid.n_nodes(); ++i)
+      {
+        nodes.mass[i]      = 1.;
+        const Point<dim> x = the_case.grid.node_position(i);
+        for (unsigned int d = 0; d < dim; ++d)
+          nodes.increment.local_element(dim * i + d) = turned(x)[d] - x[d];
+      }
+    for (auto &list : vertices)
+      carry_vertices(the_case.grid, nodes, list);
+    for (Point<dim> &x : points.position)
+      x = turned(x);
+    scene.set(points, 0., vertices);
+    EXPECT_LT((scene.tractions.resultant(0, scene.nodes.mass).force -
+               rotated(pressure, angle))
+                .norm(),
+              1e-12 * pressure.norm())
+      << method;
+    EXPECT_LT(
+      (scene.tractions.resultant(1, scene.nodes.mass).force - vector).norm(),
+      1e-12 * vector.norm())
+      << method;
+  }
+
+
+  TEST(Boundary, a_riding_pressure_turns_with_the_soil)
+  {
+    test_rotation<2>("contour");
+    test_rotation<3>("contour");
+    test_rotation<2>("user surface");
+  }
+
+
+  // Soil that leaves takes its share of the load with it, and it is noted.
+  TEST(Boundary, a_riding_load_on_soil_that_leaves)
+  {
+    LoadedBlock<2> block;
+    block.load("contour", "3; -25");
+    const Case<2>     the_case(block.parameters, MPI_COMM_SELF);
+    MaterialPoints<2> points = the_case.initial_points;
+    Scene<2>          scene(the_case);
+    scene.set(points);
+    std::vector<TractionRecord> records;
+    scene.tractions.record(0., records);
+    EXPECT_EQ(records[0].left_time, -1.);
+
+    // Those left of x = 2 carry 0.3 m of 1.2 m.
+    std::vector<std::size_t> leaving;
+    for (std::size_t p = 0; p < points.n_points(); ++p)
+      if (points.position[p][0] < 2.)
+        leaving.push_back(p);
+    remove_points(leaving, points);
+    scene.set(points, 1., initial_vertices(the_case));
+    auto now = scene.tractions.resultant(0, scene.nodes.mass);
+    EXPECT_NEAR(now.measure, 0.9, 1e-12);
+    EXPECT_NEAR(now.force[1], -25. * 0.9, 1e-11);
+    scene.tractions.record(1., records);
+    EXPECT_EQ(records[0].left_time, 1.);
+    EXPECT_EQ(records[0].empty_time, -1.);
+
+    leaving.clear();
+    for (std::size_t p = 0; p < points.n_points(); ++p)
+      if (points.position[p][0] < 3.)
+        leaving.push_back(p);
+    remove_points(leaving, points);
+    scene.set(points, 2., initial_vertices(the_case));
+    now = scene.tractions.resultant(0, scene.nodes.mass);
+    EXPECT_EQ(now.measure, 0.);
+    EXPECT_EQ(now.force.norm(), 0.);
+    scene.tractions.record(2., records);
+    EXPECT_EQ(records[0].left_time, 1.);
+    EXPECT_EQ(records[0].empty_time, 2.);
+  }
+
+
+  // A load that falls on nodes without soil is lost, and that is noted.
+  TEST(Boundary, a_load_beside_the_soil_is_noted)
+  {
+    LoadedBlock<2> block;
+    block.load("user surface", "3; -25");
+    block.load("user surface", "3; -25").minimum_support = 0.01;
+    const Case<2>     the_case(block.parameters, MPI_COMM_SELF);
+    MaterialPoints<2> points = the_case.initial_points;
+    Scene<2>          scene(the_case);
+    scene.set(points);
+    std::vector<TractionRecord> records;
+    scene.tractions.record(0., records);
+    EXPECT_EQ(records[0].lost_time, -1.);
+    // The soil sinks, its surface is left behind.
+    for (Point<2> &x : points.position)
+      x[1] -= 0.25;
+    scene.set(points, 0., initial_vertices(the_case));
+    scene.tractions.record(5., records);
+    EXPECT_EQ(records[0].lost_time, -1.) << "the node above still has mass";
+    for (Point<2> &x : points.position)
+      x[1] -= 0.35;
+    scene.set(points, 0., initial_vertices(the_case));
+    scene.tractions.record(6., records);
+    EXPECT_EQ(records[0].lost_time, 6.);
+    EXPECT_EQ(records[1].lost_time, -1.);
+    EXPECT_NEAR(scene.tractions.resultant(1, scene.nodes.mass).force[1],
+                -25. * 1.2,
+                1e-11);
+  }
+
+
+  TEST(Boundary, which_tractions_ride)
+  {
+    TractionParameters t;
+    t.name   = "load";
+    t.method = TractionMethod::contour;
+    EXPECT_FALSE(t.rides()); // no box
+    t.from = {0., 0.};
+    t.to   = {1., 1.};
+    EXPECT_TRUE(t.rides());
+    t.kind = TractionKind::vector;
+    EXPECT_TRUE(t.rides());
+    t.kind = TractionKind::hydrostatic; // a liquid
+    EXPECT_FALSE(t.rides());
+    t.kind = TractionKind::pressure;
+    for (const char *const method : {"proximity field", "user surface"})
+      {
+        t.method = Named{method};
+        EXPECT_TRUE(t.rides());
+      }
+    for (const char *const method :
+         {"surface nodes", "volume", "updated points", "fixed points"})
+      {
+        t.method = Named{method};
+        EXPECT_FALSE(t.rides()) << method;
+      }
+    t.method  = TractionMethod::contour;
+    t.follows = TractionFollows::space;
+    EXPECT_FALSE(t.rides());
+    t.follows = TractionFollows::soil;
+    t.from = t.to = {};
+    EXPECT_TRUE(t.rides());
+
+    // What cannot be is refused by name.
+    const auto complaint = [](const char *const method,
+                              const char *const follows,
+                              const char *const kind) {
+      TractionParameters p;
+      p.name         = "load";
+      p.method       = Named{method};
+      p.follows      = Named{follows};
+      p.kind         = Named{kind};
+      p.value        = "1";
+      p.level        = "1";
+      p.surface_file = std::string(method) == "user surface" ? "file" : "";
+      try
+        {
+          p.check(2,
+                  p.method == TractionMethod::volume ? ShapeFunctions::linear
+                                                     : ShapeFunctions::gimp);
+        }
+      catch (const UserError &error)
+        {
+          return error.where;
+        }
+      return std::string();
+    };
+    const std::string path = "Tractions/load/Follows";
+    for (const char *const method : {"contour", "proximity field"})
+      {
+        EXPECT_EQ(complaint(method, "soil", "pressure"), "");
+        EXPECT_EQ(complaint(method, "soil", "hydrostatic"), path);
+        EXPECT_EQ(complaint(method, "space", "hydrostatic"), "");
+      }
+    EXPECT_EQ(complaint("user surface", "soil", "pressure"), "");
+    for (const char *const method :
+         {"surface nodes", "volume", "updated points"})
+      {
+        EXPECT_EQ(complaint(method, "soil", "pressure"), path) << method;
+        EXPECT_EQ(complaint(method, "space", "pressure"), "") << method;
+      }
+    EXPECT_EQ(complaint("fixed points", "soil", "pressure"), "");
+    EXPECT_EQ(complaint("fixed points", "automatic", "pressure"), "");
+    EXPECT_EQ(complaint("fixed points", "space", "pressure"), path);
+  }
+} // namespace loads_riding_load

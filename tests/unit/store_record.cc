@@ -1,0 +1,372 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/errors.h>
+#include <waker/store/campaign_info.h>
+#include <waker/store/record.h>
+#include <waker/store/record_json.h>
+
+#include "output_temporary_folder.h"
+#include "store_records.h"
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+#include <random>
+
+namespace Waker::store_record
+{
+  namespace
+  {
+    std::string
+    replaced(std::string text, const std::string &from, const std::string &to)
+    {
+      const std::size_t at = text.find(from);
+      EXPECT_NE(at, std::string::npos) << from;
+      return text.replace(at, from.size(), to);
+    }
+
+
+    std::string
+    problem(const std::string &text)
+    {
+      try
+        {
+          record_from_json(text);
+        }
+      catch (const std::runtime_error &error)
+        {
+          return error.what();
+        }
+      return "";
+    }
+  } // namespace
+
+
+  TEST(Reliability, record_returns_with_every_bit)
+  {
+    std::mt19937_64                        generator(1);
+    std::uniform_real_distribution<double> exponent(-300., -37.); // plausible
+    for (unsigned int i = 0; i < 200; ++i)
+      {
+        Record     record = synthetic_record(3, 4001);
+        const auto number = [&]() {
+          return std::ldexp(static_cast<double>(generator()) - 9e18,
+                            static_cast<int>(exponent(generator)));
+        };
+        record.realisation    = generator() % 1000000000000000;
+        record.outcome        = static_cast<Outcome>(i % 4);
+        record.mean_strength  = number();
+        record.residual_width = 0.1 + 0.2;
+        record.wall_time      = std::abs(number());
+        record.field_time     = std::abs(number());
+        record.outward        = {std::abs(number()), -0., number()};
+        record.trace[1].time  = std::abs(number());
+
+        const Record copy = record_from_json(to_json(record));
+        EXPECT_EQ(to_json(copy), to_json(record));
+        EXPECT_EQ(fingerprint(copy), fingerprint(record));
+        EXPECT_EQ(copy.realisation, record.realisation);
+        EXPECT_EQ(copy.outcome, record.outcome);
+        EXPECT_EQ(copy.stop_reason, record.stop_reason);
+        EXPECT_EQ(copy.mean_strength, record.mean_strength);
+        EXPECT_EQ(copy.residual_width, record.residual_width);
+        EXPECT_EQ(copy.wall_time, record.wall_time);
+        EXPECT_EQ(copy.field_time, record.field_time);
+        EXPECT_EQ(copy.outward.area, record.outward.area);
+        EXPECT_TRUE(std::signbit(copy.outward.dx));
+        EXPECT_EQ(copy.trace.at(1).time, record.trace[1].time);
+        EXPECT_EQ(copy.trace.size(), record.trace.size());
+      }
+  }
+
+
+  TEST(Reliability, record_keeps_why_an_end_is_not_final)
+  {
+    Record      record = synthetic_record(0, 2);
+    std::size_t last   = fingerprint(record);
+    EXPECT_FALSE(record_from_json(to_json(record)).unrest);
+    for (const Unrest &unrest : {Unrest{},
+                                 Unrest{true, false, false},
+                                 Unrest{false, true, false},
+                                 Unrest{false, false, true}})
+      {
+        record.unrest     = unrest;
+        record.outcome    = outcome_of({}, unrest);
+        const Record copy = record_from_json(to_json(record));
+        ASSERT_TRUE(copy.unrest);
+        EXPECT_EQ(to_string(*copy.unrest), to_string(unrest));
+        EXPECT_EQ(copy.outcome, record.outcome);
+        EXPECT_EQ(fingerprint(copy), fingerprint(record));
+        EXPECT_NE(fingerprint(record), last);
+        last = fingerprint(record);
+      }
+    for (const char *const wrong : {"[true,false]", "[1,0,0]", "true"})
+      {
+        std::string       line = to_json(record);
+        const std::string key  = "\"unrest\":";
+        const std::size_t from = line.find(key) + key.size();
+        line.replace(from, line.find(']', from) + 1 - from, wrong);
+        EXPECT_THROW(record_from_json(line), std::runtime_error) << line;
+      }
+  }
+
+
+  // Journals of schema version 1 stay readable: change this line never.
+  TEST(Reliability, record_of_schema_1_is_read)
+  {
+    const Record record = record_from_json(
+      R"({"scenario":2,"realisation":17,"outcome":"initial failure",)"
+      R"("stop_reason":"at rest","attempts":1,"initial_time":2.5,)"
+      R"("initial_time_thesis":-1.0,"flooding_time":-1.0,"end_time":12.25,)"
+      R"("initial_width":18.0,"initial_height":5.0,"residual_width":11.5,)"
+      R"("residual_height":4.75,"inward":[21.0,2.5,-0.5],)"
+      R"("outward":[0.0,0.0,0.0],"first_inward":[20.0,0.75,-0.25],)"
+      R"("first_outward":[1.0,-0.75,0.25],"mean_strength":12.5,)"
+      R"("least_strength":6.5,"steps":245,"newton_iterations":700,)"
+      R"("linear_iterations":7000,"unconverged_steps":1,)"
+      R"("trace":[[0.0,18.0,5.0],[12.25,11.5,4.75]],"wall_time":0.5,)"
+      R"("field_time":null})");
+    EXPECT_EQ(record.scenario, 2u);
+    EXPECT_EQ(record.realisation, 17u);
+    EXPECT_EQ(record.outcome, Outcome::initial_failure);
+    EXPECT_EQ(record.stop_reason, "at rest");
+    EXPECT_EQ(record.initial_time, 2.5);
+    EXPECT_EQ(record.flooding_time, -1.);
+    EXPECT_EQ(record.end_time, 12.25);
+    EXPECT_EQ(record.residual_width, 11.5);
+    EXPECT_EQ(record.residual_height, 4.75);
+    EXPECT_EQ(record.inward.dx, 2.5);
+    EXPECT_EQ(record.first_inward.area, 20.);
+    EXPECT_EQ(record.first_outward.dy, 0.25);
+    EXPECT_EQ(record.least_strength, 6.5);
+    EXPECT_FALSE(record.unrest); // came later
+    EXPECT_EQ(record.steps, 245u);
+    EXPECT_EQ(record.unconverged_steps, 1u);
+    ASSERT_EQ(record.trace.size(), 2u);
+    EXPECT_EQ(record.trace[1].width, 11.5);
+    EXPECT_EQ(record.wall_time, 0.5);
+    EXPECT_TRUE(std::isnan(record.field_time));
+  }
+
+
+  TEST(Reliability, record_is_one_line_whatever_it_holds)
+  {
+    Record record         = synthetic_record(0, 1);
+    record.stop_reason    = "two\nlines, \"quotes\", no UTF-8: \xff";
+    record.mean_strength  = std::numeric_limits<double>::quiet_NaN();
+    record.least_strength = std::numeric_limits<double>::infinity();
+
+    const std::string line = to_json(record);
+    EXPECT_EQ(line.find('\n'), std::string::npos);
+    const Record copy = record_from_json(line);
+    EXPECT_EQ(copy.stop_reason.substr(0, 19), "two\nlines, \"quotes\"");
+    EXPECT_TRUE(std::isnan(copy.mean_strength));
+    EXPECT_TRUE(std::isnan(copy.least_strength));
+  }
+
+
+  TEST(Reliability, fingerprint_sees_results_but_not_the_clock)
+  {
+    const Record record = synthetic_record(1, 3);
+    Record       other  = record;
+    other.wall_time     = 7.;
+    other.field_time    = 7.;
+    EXPECT_EQ(fingerprint(other), fingerprint(record));
+
+    other.trace.back().height = std::nextafter(2.03, 3.);
+    EXPECT_NE(fingerprint(other), fingerprint(record));
+    other         = record;
+    other.outcome = Outcome::initial_failure;
+    EXPECT_NE(fingerprint(other), fingerprint(record));
+    other            = record;
+    other.outward.dy = -1e-300;
+    EXPECT_NE(fingerprint(other), fingerprint(record));
+    other = record;
+    ++other.steps;
+    EXPECT_NE(fingerprint(other), fingerprint(record));
+  }
+
+
+  TEST(Reliability, record_says_what_is_wrong_with_a_line)
+  {
+    const std::string line = to_json(synthetic_record(0, 1));
+    EXPECT_EQ(problem(line), "");
+    // Values of later versions are passed over.
+    EXPECT_EQ(problem(replaced(line, "{", "{\"new\":[1],")), "");
+
+    EXPECT_EQ(problem(line.substr(0, line.size() / 2)), "not a JSON object");
+    EXPECT_EQ(problem(""), "not a JSON object");
+    EXPECT_EQ(problem("[1]"), "not a JSON object");
+    EXPECT_EQ(problem(replaced(line, "\"steps\":801,", "")),
+              "\"steps\" is missing");
+    EXPECT_EQ(problem(replaced(line, "\"steps\":801", "\"steps\":-1")),
+              "\"steps\" is not a whole number >= 0");
+    EXPECT_EQ(problem(
+                replaced(line, "\"attempts\":2", "\"attempts\":4294967297")),
+              "\"attempts\" is too large");
+    EXPECT_EQ(problem(
+                replaced(line, "\"end_time\":40.0", "\"end_time\":\"x\"")),
+              "\"end_time\" is not a number");
+    EXPECT_EQ(problem(replaced(line, "\"flooding\"", "\"wet\"")),
+              "\"outcome\" is 'wet', which is no outcome");
+    EXPECT_EQ(problem(replaced(line, "[21.0,1.5,-0.75]", "[21.0,1.5]")),
+              "\"first_inward\" does not hold three numbers each");
+
+    // What no dyke can be: a line that was damaged.
+    EXPECT_EQ(problem(replaced(line, "\"end_time\":40.0", "\"end_time\":1e20")),
+              "\"end_time\" is 1e+20, outside of 0 to 1e+12");
+    EXPECT_EQ(problem(replaced(line,
+                               "\"steps\":801",
+                               "\"steps\":1" + std::string(17, '0'))),
+              "\"steps\" is 1e+17, outside of 0 to 1e+15");
+    EXPECT_EQ(problem(replaced(line, "[21.0,1.5,-0.75]", "[-21.0,1.5,-0.75]")),
+              "\"first_inward\" is -21, outside of 0 to 1e+12");
+    EXPECT_EQ(problem(replaced(line, "[9.0,0.0,2.01]", "[9.0,0.0,1e20]")),
+              "\"trace\" is 1e+20, outside of -1e+08 to 1e+08");
+  }
+
+
+  // A simulation that explodes must not write what is then taken for damage.
+  TEST(Reliability, record_with_impossible_numbers_can_be_read)
+  {
+    Record record          = synthetic_record(0, 1);
+    record.residual_height = 1e30;
+    record.residual_width  = -std::numeric_limits<double>::infinity();
+    record.inward          = {1e40, -1e40, 2.};
+    record.trace[1].height = 1e200;
+    const Record copy      = record_from_json(to_json(record));
+    EXPECT_TRUE(std::isnan(copy.residual_height));
+    EXPECT_TRUE(std::isnan(copy.residual_width));
+    EXPECT_TRUE(std::isnan(copy.inward.area));
+    EXPECT_TRUE(std::isnan(copy.inward.dx));
+    EXPECT_EQ(copy.inward.dy, 2.);
+    EXPECT_TRUE(std::isnan(copy.trace[1].height));
+  }
+
+
+  // How members are added: lines of before do not have them.
+  TEST(Reliability, record_member_that_a_line_lacks_is_empty)
+  {
+    using namespace RecordJson;
+    const auto            range = Plausible::length;
+    std::optional<double> member;
+    Json                  line = Json::object();
+    put(line, "new", range, member);
+    EXPECT_TRUE(line.empty());
+    Hash nothing;
+    nothing.add(member);
+    EXPECT_EQ(nothing.state, Hash().state);
+
+    member = 0.75;
+    put(line, "new", range, member);
+    EXPECT_EQ(line.dump(), R"({"new":0.75})");
+    Hash something;
+    something.add(member);
+    EXPECT_NE(something.state, nothing.state);
+
+    std::optional<double> copy;
+    take(line, "new", range, copy);
+    EXPECT_EQ(copy, member);
+    take(Json::object(), "new", range, copy);
+    EXPECT_FALSE(copy.has_value());
+    EXPECT_THROW(take(Json({{"new", "x"}}), "new", range, copy),
+                 std::runtime_error);
+    EXPECT_THROW(take(Json({{"new", 1e20}}), "new", range, copy),
+                 std::runtime_error);
+    std::optional<MovedSoil> soil;
+    take(Json::parse(R"({"soil":[1.5,2,3]})"), "soil", range, soil);
+    ASSERT_TRUE(soil.has_value());
+    EXPECT_EQ(soil->area, 1.5);
+  }
+
+
+  TEST(Reliability, campaign_info_returns_from_its_file)
+  {
+    const TemporaryFolder folder;
+    const std::string     path   = folder.file("campaign.json");
+    CampaignInfo          info   = synthetic_campaign();
+    info.scenarios[0].scales     = {1. / 3., 0.5, 7.};
+    info.scenarios[0].base_level = -6.;
+    info.write(path);
+
+    const CampaignInfo copy = CampaignInfo::read(path);
+    EXPECT_EQ(copy.schema_version, info.schema_version);
+    EXPECT_EQ(copy.version, info.version);
+    EXPECT_EQ(copy.compiler, info.compiler);
+    EXPECT_EQ(copy.build_flags, info.build_flags);
+    EXPECT_EQ(copy.seed, info.seed);
+    EXPECT_EQ(copy.realisations, info.realisations);
+    EXPECT_EQ(copy.hash, info.hash);
+    EXPECT_EQ(copy.swept_parameter, info.swept_parameter);
+    EXPECT_EQ(copy.parameters, info.parameters);
+    ASSERT_EQ(copy.scenarios.size(), 2u);
+    for (const unsigned int k : {0, 1})
+      {
+        EXPECT_EQ(copy.scenarios[k].value, info.scenarios[k].value);
+        EXPECT_EQ(copy.scenarios[k].water_level, info.scenarios[k].water_level);
+        EXPECT_EQ(copy.scenarios[k].crest_level, info.scenarios[k].crest_level);
+        EXPECT_EQ(copy.scenarios[k].base_level, info.scenarios[k].base_level);
+        EXPECT_EQ(copy.scenarios[k].scales, info.scenarios[k].scales);
+        EXPECT_EQ(copy.scenarios[k].hash, info.scenarios[k].hash);
+      }
+  }
+
+
+  TEST(Reliability, campaign_info_refuses_what_is_none)
+  {
+    const TemporaryFolder folder;
+    const std::string     path    = folder.file("campaign.json");
+    const auto            problem = [&]() -> std::string {
+      try
+        {
+          CampaignInfo::read(path);
+        }
+      catch (const UserError &error)
+        {
+          EXPECT_EQ(error.where, path);
+          return error.problem;
+        }
+      return "";
+    };
+    EXPECT_EQ(problem(), "cannot be read: No such file or directory");
+
+    synthetic_campaign().write(path);
+    const std::string good = get(path);
+    EXPECT_EQ(problem(), "");
+    put(path, good.substr(0, good.size() / 2));
+    EXPECT_EQ(problem(), "is not JSON: damaged, or of something else");
+    for (const auto &[from, to] :
+         std::vector<std::pair<std::string, std::string>>{
+           {"\"seed\"", "\"need\""},
+           {"\"water_level\": 4.5", "\"water_level\": 5.5"},
+           {"\"schema_version\": 2", "\"schema_version\": 3"},
+           {"\"schema_version\": 2", "\"schema_version\": 0"},
+           {"\"crc\"", "\"csc\""}})
+      {
+        put(path, replaced(good, from, to));
+        EXPECT_EQ(problem(), "is damaged: its checksum is wrong") << to;
+      }
+    // How the values are laid out does not matter.
+    put(path, replaced(good, "\n  \"seed\"", "\n\"seed\""));
+    EXPECT_EQ(problem(), "");
+
+    // An earlier version wrote no checksum, a later one writes what it likes.
+    const auto without = [&](const std::string &version) {
+      std::string       text = replaced(good, "\"schema_version\": 2", version);
+      const std::size_t at   = text.find(",\n  \"crc\"");
+      return text.substr(0, at) + "}";
+    };
+    put(path, without("\"schema_version\": 1"));
+    EXPECT_EQ(problem(), "");
+    put(path, replaced(without("\"schema_version\": 1"), "\"seed\"", "\"x\""));
+    EXPECT_NE(problem().find("'seed' not found"), std::string::npos)
+      << problem();
+    CampaignInfo later   = synthetic_campaign();
+    later.schema_version = 3;
+    later.write(path);
+    EXPECT_NE(problem().find("newer version"), std::string::npos) << problem();
+
+    CampaignInfo empty = synthetic_campaign();
+    empty.scenarios.clear();
+    empty.write(path);
+    EXPECT_EQ(problem(), "is damaged: it has no scenario");
+  }
+} // namespace Waker::store_record
