@@ -50,9 +50,9 @@ namespace base_choice
         {
           SCOPED_TRACE(name_of(choice));
           EXPECT_EQ(choice_named<Choice>(name_of(choice), "A/B"), choice);
-          for (const std::string wrong : {std::string(name_of(choice)) + " ",
-                                          std::string(name_of(choice)) + "s",
-                                          std::string("")})
+          for (const std::string &wrong : {std::string(name_of(choice)) + " ",
+                                           std::string(name_of(choice)) + "s",
+                                           std::string("")})
             EXPECT_USER_ERROR(choice_named<Choice>(wrong, "A/B"),
                               "A/B",
                               wrong + "\"");

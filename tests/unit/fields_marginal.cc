@@ -209,6 +209,34 @@ namespace fields_marginal
     }
 
 
+    TEST(Marginal, share_beyond_the_limits_is_that_of_both_tails)
+    {
+      const auto tail = [](const double x) {
+        return 0.5 * std::erfc(x / std::sqrt(2.));
+      };
+      EXPECT_NEAR(Marginal(Kind::normal).share_beyond(13., 2.6),
+                  tail(5.),
+                  1e-16);
+      EXPECT_NEAR(Marginal(Kind::normal, 10., 20.).share_beyond(13., 2.6),
+                  tail(3. / 2.6) + tail(7. / 2.6),
+                  1e-14);
+      EXPECT_EQ(Marginal(Kind::normal, -infinity).share_beyond(13., 2.6), 0.);
+      // The logarithm is normal: sd^2 = ln(1 + 0.2^2), mean ln 13 - sd^2 / 2.
+      const double sd = std::sqrt(std::log(1.04)),
+                   m  = std::log(13.) - sd * sd / 2;
+      EXPECT_NEAR(Marginal(Kind::lognormal, 10., 20.).share_beyond(13., 2.6),
+                  tail((m - std::log(10.)) / sd) +
+                    tail((std::log(20.) - m) / sd),
+                  1e-14);
+      EXPECT_EQ(Marginal(Kind::lognormal).share_beyond(13., 2.6), 0.);
+      EXPECT_EQ(Marginal(Kind::lognormal, -1.).share_beyond(13., 2.6), 0.);
+      // These take no value beyond their limits, nor does what has no spread.
+      for (const Kind kind : {Kind::truncated_normal, Kind::beta})
+        EXPECT_EQ(Marginal(kind, 10., 20.).share_beyond(13., 2.6), 0.);
+      EXPECT_EQ(Marginal(Kind::normal, 10., 20.).share_beyond(13., 0.), 0.);
+    }
+
+
     TEST(Marginal, values_rise_within_the_limits)
     {
       for (const Kind kind :

@@ -231,6 +231,32 @@ namespace loads_riding_load
   }
 
 
+  // A load on domains that stretch by a tenth along the surface has no gaps: it
+  // is that of a tenth less on a longer part.
+  TEST(Boundary, a_riding_load_stretches_with_the_domains_of_its_points)
+  {
+    LoadedBlock<2> block;
+    block.load("contour", "3; -25");
+    TractionParameters &longer = block.load("contour", "3/1.1; -25/1.1");
+    longer.follows             = TractionFollows::space;
+    longer.from[0]             = 2.5 + 1.1 * (1.7 - 2.5);
+    longer.to[0]               = 2.5 + 1.1 * (2.9 - 2.5);
+    const Case<2>     the_case(block.parameters, MPI_COMM_SELF);
+    MaterialPoints<2> points = the_case.initial_points;
+    for (std::size_t p = 0; p < points.n_points(); ++p)
+      {
+        points.position[p][0] = 2.5 + 1.1 * (points.position[p][0] - 2.5);
+        points.half_size[p][0] *= 1.1;
+      }
+    Scene<2> scene(the_case);
+    scene.set(points, 0., initial_vertices(the_case));
+    const NodalVector &soil  = *scene.tractions.view(0).nodal_force;
+    const NodalVector &space = *scene.tractions.view(1).nodal_force;
+    EXPECT_GT(space.l2_norm(), 1.);
+    EXPECT_LT(difference<2>(soil, space), 1e-12 * space.l2_norm());
+  }
+
+
   // A body that moves as a whole takes its load with it: as if the box had
   // moved, and an expression of the place belongs to the soil.
   TEST(Boundary, a_riding_load_on_a_body_that_is_moved)

@@ -236,7 +236,7 @@ namespace loads_traction
   {
     const auto complaint = [](const TractionParameters &p,
                               const unsigned int        dim = 2,
-                              const std::string        &functions =
+                              const ShapeFunctions      functions =
                                 ShapeFunctions::gimp) {
       try
         {

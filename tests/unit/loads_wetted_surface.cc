@@ -129,6 +129,9 @@ namespace loads_wetted_surface
     EXPECT_EQ(n_wet("none", 2.5), 0u);
     EXPECT_EQ(n_wet("left", 0.), 0u);
     EXPECT_EQ(n_wet("left", -1.), 0u);
+    // A crest at the level keeps the water out, also if round-off lifts it.
+    EXPECT_EQ(n_wet("left", 6.), 3u);
+    EXPECT_EQ(n_wet("left", 6. + 1e-12), 3u);
     // Under water: to the base on the other side.
     EXPECT_EQ(n_wet("left", 7.), 5u);
 
@@ -139,6 +142,19 @@ namespace loads_wetted_surface
     EXPECT_NEAR(load.resultant().force[0], 0., 1e-12);
     EXPECT_NEAR(load.resultant().force[1], 9.81 * 6, 1e-12);
     EXPECT_NEAR(load.resultant().moment, 4 * 9.81 * 6, 1e-11);
+
+    // One that sticks out of the water is wet on both sides if it is more than
+    // a cell above the base; else it lies on it, and the water on one side.
+    WaterLoad<2> shallow(grid, water("left", 2.));
+    shallow.find_wetted_segments(
+      rectangle(Point<2>(3, 1.25), Point<2>(5, 4), -1));
+    EXPECT_EQ(shallow.wetted_segments().size(), 3u);
+    EXPECT_NEAR(shallow.resultant().force[0], 0., 1e-12);
+    EXPECT_NEAR(shallow.resultant().force[1], 9.81 * 2 * 0.75, 1e-12);
+    shallow.find_wetted_segments(
+      rectangle(Point<2>(3, 0.75), Point<2>(5, 4), -1));
+    EXPECT_EQ(shallow.wetted_segments().size(), 1u);
+    EXPECT_NEAR(shallow.resultant().force[0], 9.81 * 1.25 * 1.25 / 2, 1e-12);
 
     // Ground that reaches the closed wall: loaded from where it leaves it.
     SurfaceChain ground;

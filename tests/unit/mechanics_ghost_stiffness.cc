@@ -125,6 +125,48 @@ namespace mechanics_ghost_stiffness
     }
 
 
+    /// How many second differences there are: each adds 1 + 4 + 1 times a
+    /// spring's stiffness, modulus times h^(dim - 2), to the diagonal.
+    template <int dim>
+    double
+    n_differences(const double reach)
+    {
+      constexpr double    modulus = 3.; // kPa
+      Block<dim>          block(reach);
+      GhostStiffness<dim> ghost(block.grid,
+                                block.fixities,
+                                modulus,
+                                block.full_mass());
+      ghost.begin(block.points, block.nodes, 0., 1.);
+      NodalVector diagonal(block.grid.n_dofs());
+      ghost.add_diagonal(diagonal);
+      double sum = 0.;
+      for (const double entry : diagonal)
+        sum += entry;
+      return sum / (6. * modulus * std::pow(h, dim - 2));
+    }
+
+
+    // The block has 4 nodes in each direction, the last of them hardly touched,
+    // the first one along y held. Two differences along each line of nodes: the
+    // second one has a node of the last layer, the first one only if the line
+    // lies in it. None where all that is hardly touched is held, nor where one
+    // of several is.
+    TEST(GhostStiffness, ActsOnFreeNodesThatAreHardlyTouched)
+    {
+      // Along x in rows 1, 2 and 3 above the base, and along y, in which the
+      // first difference has a held node where it is hardly touched.
+      EXPECT_NEAR(n_differences<2>(1e-3), 2 * ((1 + 1 + 2) + 4), 1e-11);
+      // Along x and along z: rows 1 and 2 with 3 and 2 times 1, row 3.
+      EXPECT_NEAR(n_differences<3>(1e-3),
+                  3 * (2 * (2 * (3 + 2) + 4 * 2) + 16),
+                  1e-10);
+      // The last layer has 0.3^2 / 2 of a full node's mass, 4.5 %: more than 1
+      // %. Its corner has 0.2 %, one more in either direction.
+      EXPECT_NEAR(n_differences<2>(0.3), 2 * 2, 1e-11);
+    }
+
+
     /// The factorised matrix is that of the operator, with nodes of next to no
     /// stiffness in it.
     template <int dim>

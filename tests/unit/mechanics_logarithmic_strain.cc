@@ -227,6 +227,32 @@ namespace mechanics_logarithmic_strain
     }
 
 
+    // After plastic flow plane strain has an elastic strain out of the plane:
+    // it stays. All of the trial strain is that of the same motion in 3D.
+    TEST(LogarithmicStrain, PlaneStrainIsASliceOfThreeDimensions)
+    {
+      Lattice::Random             random(31);
+      const SymmetricTensor<2, 3> in_space = random.stress<3>(0.05);
+      SymmetricTensor<2, 3>       elastic;
+      elastic[0][0]        = in_space[0][0];
+      elastic[1][1]        = in_space[1][1];
+      elastic[0][1]        = in_space[0][1];
+      elastic[2][2]        = 0.013;
+      const Tensor<2, 2> H = random.matrix<2>(-0.1, 0.1);
+      Tensor<2, 3>       H_3;
+      for (unsigned int i = 0; i < 2; ++i)
+        for (unsigned int j = 0; j < 2; ++j)
+          H_3[i][j] = H[i][j];
+      const SymmetricTensor<2, 3> plane =
+        LogarithmicStep<2>(H, elastic).trial_strain();
+      const SymmetricTensor<2, 3> space =
+        LogarithmicStep<3>(H_3, elastic).trial_strain();
+      EXPECT_EQ(plane[2][2], 0.013);
+      EXPECT_GT(space.norm(), 0.05);
+      EXPECT_LT((plane - space).norm(), 1e-15);
+    }
+
+
     /// A step that turns a point inside out must not pass.
     TEST(LogarithmicStrain, InsideOutIsNotANumber)
     {

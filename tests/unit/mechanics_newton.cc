@@ -289,9 +289,48 @@ namespace mechanics_newton
     soil.accept(nodes.increment, points);
     EXPECT_TRUE(report.converged) << report.residuals.back();
     EXPECT_LE(report.iterations, 2u);
+    // At first only the last column of cells is strained: its forces along x
+    // pull at free nodes and, of half their mass, at supports. The latter
+    // count, too.
+    EXPECT_LT(report.residuals.front(), std::sqrt(1. / 1.5) + 1e-12);
+    EXPECT_GT(report.residuals.front(), 0.5);
     const double M = 1000. * 0.7 / (1.3 * 0.4); // kPa, uniaxial strain
     for (const auto &stress : points.stress)
       EXPECT_NEAR(stress[0][0], M * 0.01 / 1.5, 1e-6);
+  }
+
+
+  TEST(Mechanics,
+       newton_counts_nodes_by_their_mass_and_the_difference_of_inertia)
+  {
+    const auto                        grid      = Lattice::grid<2>(2., h);
+    const double                      full_mass = density * h * h;
+    const Fixities<2>                 fixities(grid, {});
+    NodalState                        nodes(grid);
+    NodalVector                       history(grid.n_dofs());
+    typename NewtonSolver<2>::Inertia inertia;
+    inertia.factor  = 100.;
+    inertia.history = &history;
+    // In balance: 3 kN on what 5 kN of inertia less 2 kN of history need. More
+    // than the mass of a full node counts as that.
+    const unsigned int a = grid.node({{3, 3}}), b = grid.node({{5, 5}});
+    nodes.mass[a]                       = 2. * full_mass;
+    nodes.external_force.begin()[2 * a] = 3.;
+    nodes.increment.begin()[2 * a]      = 5. / (nodes.mass[a] * inertia.factor);
+    history.begin()[2 * a]              = 2. / nodes.mass[a];
+    // Out of balance by 4 kN.
+    nodes.mass[b]                           = 0.01 * full_mass;
+    nodes.external_force.begin()[2 * b + 1] = 4.;
+
+    NewtonParameters parameters;
+    parameters.maximum_iterations = 0;
+    NewtonSolver<2>    newton(grid, fixities, parameters, full_mass);
+    const NewtonReport report = newton.solve({}, inertia, nodes);
+    EXPECT_FALSE(report.converged);
+    ASSERT_EQ(report.residuals.size(), 1u);
+    EXPECT_NEAR(report.residuals[0],
+                std::sqrt(0.01 * 16. / (9. + 9. + 0.01 * 16.)),
+                1e-14);
   }
 
 

@@ -136,6 +136,17 @@ namespace mechanics_quasi_static
       EXPECT_NEAR(stepwise.account.gravity_work,
                   at_once.account.gravity_work,
                   1e-6 * at_once.account.elastic);
+
+      // A body without stress has carried no load, also if none is to grow.
+      time.load_duration = 0.;
+      Block<dim> suddenly(time);
+      suddenly.step(0., 1.);
+      EXPECT_NEAR(suddenly.account.gravity_work,
+                  at_once.account.elastic,
+                  1e-6 * at_once.account.elastic);
+      EXPECT_NEAR(suddenly.account.elastic,
+                  at_once.account.elastic,
+                  1e-6 * at_once.account.elastic);
     }
 
 

@@ -29,7 +29,7 @@ namespace nodes_fixities
 
     FixityParameters
     fixity(const std::string &region,
-           const std::string &type         = FixityType::fixed,
+           const std::string &type         = "fixed",
            const std::string &displacement = "")
     {
       FixityParameters f;

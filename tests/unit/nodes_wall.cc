@@ -322,6 +322,26 @@ namespace nodes_wall
   }
 
 
+  // Nodes of next to no mass hand their part on along the normal: to their own
+  // row if the wall is nearly upright, obliquely if it leans by 45 degrees.
+  TEST(BoundaryWall, WeakNodesHandTheirPartOnAlongTheNormal)
+  {
+    const auto highest_row = [](const std::string &line) {
+      Fixture<2>        setup(wall(line), 1.5001);
+      const NodalVector force = setup.force(
+        linear(setup.grid, Tensor<1, 2>({0.1, 0.2}), Tensor<2, 2>()));
+      double y = 0.;
+      for (unsigned int i = 0; i < setup.grid.n_nodes(); ++i)
+        if (std::abs(force.begin()[2 * i]) > 1e-12)
+          y = std::max(y, setup.grid.node_position(i)[1]);
+      return y;
+    };
+    // In the cell from (1.5, 1) on, of which the right nodes are all but empty.
+    EXPECT_NEAR(highest_row("1.51, 1.1; 1.56, 1.4"), 1.5, 1e-12);
+    EXPECT_NEAR(highest_row("1.51, 1.1; 1.56, 1.15"), 2., 1e-12);
+  }
+
+
   TEST(BoundaryWall, ThreeDimensions)
   {
     Fixture<3> setup(wall("1.63, 0.5, 0.5; 1.63, 0.5, 2.5; 1.63, 2.5, 2.5; "

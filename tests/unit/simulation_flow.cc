@@ -3,6 +3,7 @@
 #include <waker/program/parameter_reader.h>
 #include <waker/simulation/realisation.h>
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <numeric>
 
@@ -101,6 +102,32 @@ namespace simulation_flow
     // Ids go on.
     EXPECT_EQ(state.points.id.back() + 1, flow.next_id);
     EXPECT_LT(std::abs(state.energy.remainder()), 0.01 * state.energy.inflow);
+  }
+
+
+  // In the ramp acts a share of what is not in balance: here of the weight.
+  TEST(SimulationFlow, TheMomentumBalanceClosesInTheRamp)
+  {
+    const auto p = parameters(
+      {"Gravity/Initial stress=false", "Time stepping/Ramp duration=0.5"});
+    p->time.end_time = 0.4;
+    const Case<2>  the_case(*p, MPI_COMM_SELF);
+    State<2>       state = initial_state(the_case);
+    Realisation<2> realisation(the_case, state);
+    const auto    &flow    = state.flow;
+    const double   scale   = 3. * 1. * 18. / 9.81; // Mg m/s
+    double         impulse = 0.;
+    while (realisation.look() == StopReason::none)
+      {
+        realisation.advance();
+        const Tensor<1, 2> remainder = momentum(state.points) -
+                                       flow.momentum_start - flow.impulse -
+                                       flow.momentum_in + flow.momentum_out;
+        EXPECT_LT(remainder.norm(), 1e-6 * scale); // Newton's tolerance: 1e-8
+        impulse = std::max(impulse, flow.impulse.norm());
+      }
+    EXPECT_EQ(state.unconverged_steps, 0u);
+    EXPECT_GT(impulse, 1e-4 * scale);
   }
 
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
 #include <waker/campaign/realisation_setup.h>
-#include <waker/materials/linear_elastic.h>
+#include <waker/materials/von_mises_softening.h>
+#include <waker/mechanics/stress_update.h>
 #include <waker/simulation/strengths.h>
 
 #include "campaign_random_dyke.h"
+#include "user_errors.h"
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -189,13 +191,37 @@ namespace simulation_initial_properties
       // Also of a material that does not look at it.
       expect({"Materials/clay/Model=linear elastic", initial + "nonsense"},
              {"Materials/clay/Initial strength", "nonsense"});
-      EXPECT_THROW(Drawn(*coarse({field + "Mean=13 + depth_of_layer"})),
-                   UserError);
-      EXPECT_THROW(Drawn(*coarse({field + "Mean=depth - 1"})), UserError);
-      EXPECT_THROW(Drawn(*coarse({field + "Standard deviation=depth - 1"})),
-                   UserError);
-      EXPECT_THROW(Drawn(*coarse({field + "Standard deviation=-1"})),
-                   UserError);
+      EXPECT_USER_ERROR(Drawn(*coarse({field + "Mean=13 + depth_of_layer"})),
+                        field + "Mean",
+                        "\"depth_of_layer\" is unknown");
+      EXPECT_USER_ERROR(Drawn(*coarse({field + "Mean=depth - 1"})),
+                        field + "Mean",
+                        "is -0.");
+      EXPECT_USER_ERROR(Drawn(
+                          *coarse({field + "Standard deviation=depth - 1"})),
+                        field + "Standard deviation",
+                        "is -0.");
+      EXPECT_USER_ERROR(Drawn(*coarse({field + "Standard deviation=-1"})),
+                        field + "Standard deviation",
+                        "is -1");
+    }
+
+
+    TEST(Strengths, of_each_of_two_clays_are_divided_once)
+    {
+      Materials clays;
+      for (const double c : {13., 20.})
+        clays.push_back(
+          std::make_unique<VonMisesSoftening>(1.5, 1000., 0.45, c, 5., -50.));
+      MaterialPoints<2> points;
+      points.resize(2);
+      points.material = {0, 1};
+      declare_material_variables(clays, points);
+      divide_strengths(clays, 1.6, points);
+      EXPECT_EQ(points.scalar("undrained shear strength"),
+                (std::vector<double>{13. / 1.6, 20. / 1.6}));
+      EXPECT_EQ(points.scalar("residual strength"),
+                (std::vector<double>{5. / 1.6, 5. / 1.6}));
     }
 
 
@@ -236,9 +262,10 @@ namespace simulation_initial_properties
       EXPECT_NE(lines[1].find("rock: nothing"), std::string::npos);
       Materials rock;
       rock.push_back(std::make_unique<LinearElastic>(2., 1e4, 0.3));
-      EXPECT_THROW(
+      EXPECT_USER_ERROR(
         described_strengths(rock, {dyke.the_case->parameters.materials[1]}),
-        UserError);
+        "Materials/Names",
+        "no material has a strength to reduce");
     }
   } // namespace
 } // namespace simulation_initial_properties

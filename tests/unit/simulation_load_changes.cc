@@ -98,6 +98,17 @@ namespace simulation_load_changes
   }
 
 
+  TEST(Simulation, without_water_a_level_above_the_crest_floods_nothing)
+  {
+    BlockInWater dry("0");
+    dry.bar.parameters.water.side  = WaterSide::none;
+    dry.bar.parameters.water.level = 2.;
+    EXPECT_EQ(dry.run(), StopReason::stable_at_rest);
+    EXPECT_FALSE(dry.state.failure.flooded());
+    EXPECT_EQ(dry.outcome(), Outcome::stable);
+  }
+
+
   TEST(Simulation, rest_counts_from_the_last_change_of_a_load)
   {
     BlockInWater table("0: 0, 3: 0, 4: 0.1, 9: 0.1");
@@ -143,9 +154,12 @@ namespace simulation_load_changes
     traction.kind                = TractionKind::hydrostatic;
     traction.level               = "0: 1, 5: 2, 6: 2";
     EXPECT_EQ(last_change(p), 5.);
-    traction.kind  = TractionKind::vector;
-    traction.value = "1; t*x";
-    EXPECT_EQ(last_change(p), LastChange::unknown);
+    traction.kind = TractionKind::vector;
+    for (const char *const one_that_changes : {"t; 1", "1; t*x"})
+      {
+        traction.value = one_that_changes;
+        EXPECT_EQ(last_change(p), LastChange::unknown) << traction.value;
+      }
     p.stop.loads_constant_from = "6"; // not true at any place but x = 0
     EXPECT_NE(complaint(p).find("Tractions/contour changes"),
               std::string::npos);

@@ -141,6 +141,24 @@ namespace simulation_sizes
                                        10 * the_case.grid.n_nodes());
     EXPECT_NEAR(more.computing, 10. * sizes.computing, 1e-6 * more.computing);
     EXPECT_GE(more.memory, 10. * sizes.memory);
+
+    // In space GMRES keeps 39 vectors of three components at each node.
+    const auto in_space = [&](const std::size_t n_nodes) {
+      return run_sizes<3>(input->simulation, the_case.materials, 1000, n_nodes)
+        .memory;
+    };
+    const double per_node = (in_space(20000) - in_space(10000)) / 10000.;
+    EXPECT_GE(per_node, 8. * 3. * 39.);
+    EXPECT_LE(per_node, 3. * 8. * 3. * 39.);
+    // A stiffness that need not be symmetric has two factors, that of the
+    // gravity step has one.
+    EXPECT_TRUE(input->simulation.gravity.initial_stress);
+    Parameters load_steps  = input->simulation;
+    load_steps.time.scheme = Scheme::quasi_static;
+    EXPECT_GT(
+      run_sizes<2>(load_steps, the_case.materials, 1000, 1000).memory,
+      1.2 *
+        run_sizes<2>(input->simulation, the_case.materials, 1000, 1000).memory);
   }
 
 

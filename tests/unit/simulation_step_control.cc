@@ -69,6 +69,19 @@ namespace simulation_step_control
   }
 
 
+  TEST(StepControl, good_steps_count_from_the_last_halving)
+  {
+    Surroundings setup;
+    EXPECT_EQ(setup.step(0.5), 0.5);
+    EXPECT_EQ(setup.step(0.5), 0.5);
+    // The two of 0.5 s are no steps of 0.25 s.
+    EXPECT_EQ(setup.step(0.25), 0.25);
+    for (unsigned int k = 0; k < 3; ++k)
+      EXPECT_EQ(setup.step(1.), 0.25);
+    EXPECT_EQ(setup.step(1.), 0.5);
+  }
+
+
   TEST(StepControl, the_last_step_ends_at_the_end)
   {
     Surroundings setup;

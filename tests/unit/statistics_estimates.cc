@@ -145,6 +145,19 @@ namespace statistics_estimates
   }
 
 
+  TEST(Estimates, a_flood_before_the_failure_counts_from_the_failure_on)
+  {
+    // Water runs over the second dyke at 5 s, which fails at 7 s.
+    const auto rows =
+      estimate_against_time({make_record(0, 2.), make_record(1, 7., 5.)});
+    ASSERT_EQ(rows.size(), 5U); // 0, 2, 5, 7, 10
+    EXPECT_EQ(rows[2].position, 5.);
+    EXPECT_EQ(rows[2].estimate.flooding.estimate, 0.5);
+    EXPECT_EQ(rows[2].estimate.flooding_given.estimate, 0.);
+    EXPECT_EQ(rows[3].estimate.flooding_given.estimate, 0.5);
+  }
+
+
   TEST(Estimates, against_time_on_a_grid_is_the_same_function)
   {
     const std::vector<Record> records = campaign();

@@ -103,6 +103,9 @@ namespace statistics_event_tree
     EXPECT_EQ(tree.critical_slide, 2U);
     EXPECT_DOUBLE_EQ(tree.critical_path, 0.6 * 0.8);
 
+    // Half is not the most.
+    EXPECT_EQ(build_event_tree({{1, false}, {1, true}}, 2).critical_slide, 0U);
+
     EXPECT_EQ(tree.truncated_direct.count, 5U);
     EXPECT_EQ(tree.truncated_direct.n, 10U);
     EXPECT_DOUBLE_EQ(build_event_tree(sequences, 1).truncated, 0.6); // P(S_1)

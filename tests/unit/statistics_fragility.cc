@@ -120,6 +120,10 @@ namespace statistics_fragility
     const FragilityCurve peak({3., 4., 5.}, {0.1, 0.11, 0.});
     for (double h = 3.; h < 5.; h += 0.05)
       EXPECT_LE(peak(h), 0.11 + 1e-15);
+    // Slopes by hand: 3 d_0 = 0.03 at 3 m, where the parabola's is 0.07, 0 at
+    // the peak, and the parabola's (3 d_1 - d_0) / 2 = -0.17 at 5 m.
+    EXPECT_NEAR(peak(3.5), (0.1 + 0.11) / 2 + 0.03 / 8, 1e-15);
+    EXPECT_NEAR(peak(4.5), 0.11 / 2 + 0.17 / 8, 1e-15);
 
     const FragilityCurve line({1., 2.}, {0.1, 0.3});
     EXPECT_NEAR(line(1.25), 0.15, 1e-15);

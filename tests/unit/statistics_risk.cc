@@ -46,6 +46,8 @@ namespace statistics_risk
     EXPECT_EQ(compare({1e-3, 5e-4, 2e-3}, 1.5e-3), Verdict::undecided);
     EXPECT_EQ(compare({1e-3, 5e-4, 2e-3}, 6e-4), Verdict::undecided);
     EXPECT_EQ(compare({0., 0., 1.}, 1.), Verdict::met);
+    // A lower bound at the budget is not above it.
+    EXPECT_EQ(compare({1e-3, 5e-4, 2e-3}, 5e-4), Verdict::undecided);
 
     const Risk unknown = assess_risk({1e-3, 5e-4, 2e-3}, RiskParameters());
     EXPECT_FALSE(unknown.all_mechanisms || unknown.macro_instability ||

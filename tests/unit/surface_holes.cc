@@ -78,7 +78,9 @@ namespace surface_holes
         parameters.holes = holes;
         Traction<dim> traction(parameters, 1e-9);
         Facets<dim>   part;
-        traction.select(finder.facets(method, "test"), part);
+        traction.select(finder.facets(found_by(surface_parameters.method),
+                                      "test"),
+                        part);
         return enclosed_volume(part);
       };
 
@@ -87,7 +89,7 @@ namespace surface_holes
       EXPECT_NEAR(volume(false, false), solid, 1e-10);
       EXPECT_NEAR(volume(true, false), solid, 1e-10);
       const double hole = solid - volume(true, true);
-      if (method == name_of(TractionMethod::contour))
+      if (method == name_of(SurfaceMethod::contour))
         {
           EXPECT_NEAR(solid, std::pow(5., dim) + 1., 1e-10);
           EXPECT_NEAR(hole, std::pow(2., dim), 1e-10);

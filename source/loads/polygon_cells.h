@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef waker_source_boundary_polygon_cells_h
-#define waker_source_boundary_polygon_cells_h
+#ifndef waker_source_loads_polygon_cells_h
+#define waker_source_loads_polygon_cells_h
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/point.h>
