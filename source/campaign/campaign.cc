@@ -319,10 +319,9 @@ namespace Waker
         return CampaignStatus::interrupted;
       }
     // What one rank sees on a shared disk counts for all.
-    int counts[] = {progress.complete() ? 1 : 0, progress.has_result() ? 1 : 0};
-    MPI_Bcast(counts, 2, MPI_INT, 0, communicator);
-    const bool complete = counts[0] == 1, has_result = counts[1] == 1;
-    if (!complete)
+    int complete = progress.complete() ? 1 : 0;
+    MPI_Bcast(&complete, 1, MPI_INT, 0, communicator);
+    if (complete == 0)
       {
         log.line("Other parts of the campaign are missing or still at work: "
                  "waker status " +
@@ -332,15 +331,17 @@ namespace Waker
 
     const bool done = make_snapshots<dim>(
       scenarios, folder, info.hash, options.interrupt, communicator);
+    int has_result = 1;
     if (rank == 0)
-      merge_campaign(folder, *scenarios[0], false, log);
+      has_result = merge_campaign(folder, *scenarios[0], false, log) ? 1 : 0;
+    MPI_Bcast(&has_result, 1, MPI_INT, 0, communicator);
     if (!done)
       {
         log.line("Interrupted before all snapshots were made; go on with "
                  "--resume.");
         return CampaignStatus::interrupted;
       }
-    if (!has_result)
+    if (has_result == 0)
       return CampaignStatus::no_result;
     return CampaignStatus::completed;
   }

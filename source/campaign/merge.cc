@@ -6,7 +6,7 @@
 #include <waker/campaign/progress.h>
 #include <waker/output/files.h>
 #include <waker/statistics/report.h>
-#include <waker/statistics/store.h>
+#include <waker/statistics/results_file.h>
 #include <waker/store/campaign_files.h>
 #include <waker/store/journal.h>
 

@@ -107,17 +107,6 @@ namespace Waker
   }
 
 
-  bool
-  Progress::has_result() const
-  {
-    return std::any_of(scenarios.begin(),
-                       scenarios.end(),
-                       [](const Scenario &scenario) {
-                         return scenario.counts.n > scenario.counts.n_failures;
-                       });
-  }
-
-
   std::uint64_t
   Progress::n_wanted() const
   {

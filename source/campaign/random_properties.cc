@@ -2,8 +2,8 @@
 #include <waker/base/errors.h>
 #include <waker/base/random_numbers.h>
 #include <waker/base/sizes.h>
+#include <waker/campaign/field_moments.h>
 #include <waker/campaign/random_properties.h>
-#include <waker/statistics/field_moments.h>
 
 #include <algorithm>
 #include <cmath>

@@ -26,7 +26,7 @@ namespace Waker
 
 
   template <int dim>
-  void
+  std::string
   write_grid(const BackgroundGrid<dim> &grid,
              const std::vector<double> &node_mass,
              const GridFields          &data,
@@ -83,17 +83,17 @@ namespace Waker
               }
           }
       }
-    file.write(time, path);
+    return file.write(time, path);
   }
 
 
-  template void
+  template std::string
   write_grid(const BackgroundGrid<2> &,
              const std::vector<double> &,
              const GridFields &,
              const double,
              const std::string &);
-  template void
+  template std::string
   write_grid(const BackgroundGrid<3> &,
              const std::vector<double> &,
              const GridFields &,

@@ -8,7 +8,7 @@
 namespace Waker
 {
   template <int dim>
-  void
+  std::string
   write_particles(const MaterialPoints<dim> &points,
                   const double               time,
                   const std::string         &path,
@@ -63,16 +63,16 @@ namespace Waker
         for (const PointVector<dim> &vector : vectors)
           file.add_value((*vector.values)[p]);
       }
-    file.write(time, path);
+    return file.write(time, path);
   }
 
 
-  template void
+  template std::string
   write_particles(const MaterialPoints<2> &,
                   const double,
                   const std::string &,
                   const PointVectors<2> &);
-  template void
+  template std::string
   write_particles(const MaterialPoints<3> &,
                   const double,
                   const std::string &,

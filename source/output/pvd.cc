@@ -49,10 +49,9 @@ namespace Waker
 
 
   void
-  PvdSeries::add(const double time)
+  PvdSeries::add(const double time, const std::string &checksum)
   {
-    const std::string file = next_file();
-    series.push_back({time, file, checksum_of_text(read_file(next_path()))});
+    series.push_back({time, next_file(), checksum});
     write_pvd();
   }
 

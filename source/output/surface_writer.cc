@@ -21,7 +21,7 @@ namespace Waker
   } // namespace
 
 
-  void
+  std::string
   write_surface(const Surface                    &surface,
                 const std::vector<LoadedSegment> &wetted_segments,
                 const Liquid                     &water,
@@ -54,12 +54,12 @@ namespace Waker
           file.add_value(1.);
           file.add_value(water.pressure(x[1]));
         }
-    file.write(time, path);
+    return file.write(time, path);
   }
 
 
   template <int dim>
-  void
+  std::string
   write_surface(const Facets<dim> &surface,
                 const Facets<dim> &wetted,
                 const Liquid      &water,
@@ -78,17 +78,17 @@ namespace Waker
             file.add_value(is_wet);
             file.add_value(is_wet ? water.pressure(x[1]) : 0.);
           }
-    file.write(time, path);
+    return file.write(time, path);
   }
 
 
-  template void
+  template std::string
   write_surface(const Facets<2> &,
                 const Facets<2> &,
                 const Liquid &,
                 const double,
                 const std::string &);
-  template void
+  template std::string
   write_surface(const Facets<3> &,
                 const Facets<3> &,
                 const Liquid &,

@@ -7,7 +7,7 @@
 namespace Waker
 {
   template <int dim>
-  void
+  std::string
   write_tractions(const Tractions<dim> &tractions,
                   const double          time,
                   const std::string    &path)
@@ -29,12 +29,12 @@ namespace Waker
               file.add_value(-(q * facets[k].normal));
             }
       }
-    file.write(time, path);
+    return file.write(time, path);
   }
 
 
-  template void
+  template std::string
   write_tractions<2>(const Tractions<2> &, const double, const std::string &);
-  template void
+  template std::string
   write_tractions<3>(const Tractions<3> &, const double, const std::string &);
 } // namespace Waker

@@ -4,6 +4,7 @@
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/utilities.h>
 
+#include <waker/base/hash.h>
 #include <waker/output/files.h>
 
 #include <algorithm>
@@ -205,7 +206,7 @@ namespace Waker
   }
 
 
-  void
+  std::string
   VtuFile::write(const double time, const std::string &path) const
   {
     const std::size_t  n_points = positions.size() / 3;
@@ -257,6 +258,7 @@ namespace Waker
       }
     text += "</PointData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
     write_file(path, text);
+    return checksum_of_text(text);
   }
 
 

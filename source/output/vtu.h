@@ -76,7 +76,7 @@ namespace Waker
 
     /// @param time of the state (s), stored in the file
     /// @throws as throw_cannot_write() if it cannot be written
-    void
+    std::string
     write(const double time, const std::string &path) const;
 
   private:

@@ -6,7 +6,7 @@
 namespace Waker
 {
   template <int dim>
-  void
+  std::string
   write_walls(const Walls<dim>                     &walls,
               const typename Walls<dim>::Tractions &tractions,
               const double                          time,
@@ -28,16 +28,16 @@ namespace Waker
         file.add_value(tractions[q]);
         file.add_value(tractions[q] * spots[q].normal);
       }
-    file.write(time, path);
+    return file.write(time, path);
   }
 
 
-  template void
+  template std::string
   write_walls(const Walls<2> &,
               const Walls<2>::Tractions &,
               const double,
               const std::string &);
-  template void
+  template std::string
   write_walls(const Walls<3> &,
               const Walls<3>::Tractions &,
               const double,

@@ -107,9 +107,9 @@ namespace Waker
     NodalState  &nodes = scene.nodes;
     scene.begin_step();
     const double dt =
-      control.solve(scheme->time_step(state->points), [&](const double dt) {
-        scene.set_end_loads(state->points, t + dt); // weight, water, tractions
-        return report = scheme->solve(state->points, t, dt, nodes); // eq. 2.23
+      control.solve(scheme->time_step(state->points), [&](const double tried) {
+        scene.set_end_loads(state->points, t + tried); // weight, water, loads
+        return report = scheme->solve(state->points, t, tried, nodes); // 2.23
       });
     scheme->to_points(t, dt, nodes, state->points, report); // stress, motion
     report.held_domains = carried.move(nodes, *state);      // domains, surfaces
@@ -136,6 +136,7 @@ namespace Waker
             scene.surfaces.last_chains(),
             scene.water.wetted_segments(),
             scene.water_resultant,
+            scene.water.now(),
             state->failure,
             report,
             state->energy,

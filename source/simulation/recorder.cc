@@ -18,6 +18,7 @@
 #include <limits>
 #include <optional>
 #include <sstream>
+#include <stdexcept>
 
 namespace Waker
 {
@@ -26,6 +27,9 @@ namespace Waker
     /// The recorder's part of a checkpoint.
     struct Progress
     {
+      /// Raised when what is stored, or in State, changes.
+      static constexpr unsigned int this_layout = 2;
+
       std::string           state;
       StopParameters        stop; // by which state.rest was found
       std::vector<PvdEntry> particles;
@@ -38,6 +42,10 @@ namespace Waker
       void
       serialize(Archive &archive, const unsigned int)
       {
+        unsigned int layout = this_layout;
+        archive     &layout;
+        if (layout != this_layout)
+          throw std::runtime_error("another layout");
         archive &state &stop.rest_plastic_strain                &stop
           .rest_velocity &particles &surfaces &grids &tractions &walls;
       }
@@ -219,35 +227,39 @@ namespace Waker
             loads.push_back({"load_" + view.tractions.view(i).name,
                              "kN",
                              view.tractions.view(i).point_loads});
-        write_particles(view.points, view.time, particles.next_path(), loads);
-        particles.add(view.time);
+        particles.add(view.time,
+                      write_particles(
+                        view.points, view.time, particles.next_path(), loads));
       }
     if (output.surface)
       {
-        const Liquid water{parameters->water.unit_weight, view.water_level};
-        if (view.facets != nullptr)
-          write_surface(*view.facets,
-                        view.wetted_facets,
-                        water,
-                        view.time,
-                        surfaces.next_path());
-        else
-          write_surface(
-            view.surface, view.wetted, water, view.time, surfaces.next_path());
-        surfaces.add(view.time);
+        const std::string path = surfaces.next_path();
+        surfaces.add(view.time,
+                     view.facets != nullptr ? write_surface(*view.facets,
+                                                            view.wetted_facets,
+                                                            view.standing_water,
+                                                            view.time,
+                                                            path)
+                                            : write_surface(view.surface,
+                                                            view.wetted,
+                                                            view.standing_water,
+                                                            view.time,
+                                                            path));
       }
     if (output.surface && view.tractions.size() > 0)
       {
-        write_tractions(view.tractions, view.time, tractions.next_path());
-        tractions.add(view.time);
+        tractions.add(view.time,
+                      write_tractions(view.tractions,
+                                      view.time,
+                                      tractions.next_path()));
       }
     if (output.surface && !view.walls.empty())
       {
-        write_walls(view.walls,
-                    view.wall_tractions,
-                    view.time,
-                    walls.next_path());
-        walls.add(view.time);
+        walls.add(view.time,
+                  write_walls(view.walls,
+                              view.wall_tractions,
+                              view.time,
+                              walls.next_path()));
       }
     if (output.grid)
       {
@@ -265,9 +277,12 @@ namespace Waker
           fields.vectors.push_back({"force_" + view.tractions.view(i).name,
                                     "kN",
                                     view.tractions.view(i).nodal_force});
-        write_grid(
-          view.grid, view.nodes.mass, fields, view.time, grids.next_path());
-        grids.add(view.time);
+        grids.add(view.time,
+                  write_grid(view.grid,
+                             view.nodes.mass,
+                             fields,
+                             view.time,
+                             grids.next_path()));
       }
   }
 

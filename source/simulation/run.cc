@@ -12,6 +12,7 @@
 #include <waker/simulation/run_to_end.h>
 
 #include "run_watcher.h"
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -21,6 +22,25 @@ namespace Waker
 {
   namespace
   {
+    /// Do the points hold numbers?
+    template <int dim>
+    bool
+    is_finite(const MaterialPoints<dim> &points)
+    {
+      const auto finite = [](const auto &values) {
+        return std::all_of(values.begin(), values.end(), [](const auto &value) {
+          return std::isfinite(value.norm());
+        });
+      };
+      return std::all_of(points.position.begin(),
+                         points.position.end(),
+                         [](const Point<dim> &x) {
+                           return std::isfinite(x.square());
+                         }) &&
+             finite(points.velocity) && finite(points.stress);
+    }
+
+
     /// What keeps a dyke moving may be the method: work goes in that comes out
     /// as mapping loss. "" if it is not that.
     template <int dim>
@@ -82,10 +102,12 @@ namespace Waker
         }
       catch (const NumericalFailure &failure)
         {
-          // The state is the last good one: keep it, with the reason.
           reason = failure.what();
           status = RunStatus::numerical_failure;
-          recorder.checkpoint(state, true);
+          // The last good state, as a rule. A step that has left no numbers
+          // must not replace what is on disk.
+          if (is_finite(state.points))
+            recorder.checkpoint(state, true);
         }
       log.end_progress();
 

@@ -179,7 +179,8 @@ namespace Waker
     nodes.internal_force = 0.;
     make_point_motion<dim>(the_case->parameters.mapping)
       ->add_force_of_stress(points, weights, nodes.internal_force);
-    walls.add_start_force(nodes.internal_force);
+    for (Resistance<dim> *const resistance : resistances())
+      resistance->add_start_force(nodes.internal_force);
   }
 
 

@@ -2,6 +2,7 @@
 #include <waker/base/host.h>
 #include <waker/output/files.h>
 #include <waker/store/campaign_files.h>
+#include <waker/store/campaign_writer.h>
 
 #include <algorithm>
 #include <cstdio>

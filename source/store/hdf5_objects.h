@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef waker_source_reliability_hdf5_objects_h
-#define waker_source_reliability_hdf5_objects_h
+#ifndef waker_source_store_hdf5_objects_h
+#define waker_source_store_hdf5_objects_h
 
 #include <cstdint>
 #include <hdf5.h>

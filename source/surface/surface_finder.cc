@@ -117,7 +117,7 @@ namespace Waker
   SurfaceFinder<dim>::facets(const FoundSurface which, const std::string &path)
   {
     Assert(points != nullptr, ExcInternalError());
-    Found &surface = found[static_cast<unsigned int>(which)];
+    Found &surface = found.at(static_cast<std::size_t>(which));
     if (surface.is_valid)
       return surface.facets;
     switch (which)

@@ -29,6 +29,8 @@ ONLY = {"fields": ["base"]}
 GENERATED = {"base/version.h"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]waker/([^">]+)[">]')
+# A header that is private to a room stands beside its sources.
+PRIVATE = re.compile(r'^\s*#\s*include\s*"((?!waker/)[^">]+)"')
 
 
 def allowed(room):
@@ -57,6 +59,11 @@ def check(source):
             continue
         with open(path, encoding="utf-8") as file:
             for number, line in enumerate(file, 1):
+                match = PRIVATE.match(line)
+                if match and not os.path.exists(os.path.join(
+                        os.path.dirname(path), match[1])):
+                    problems.append(f'{here}:{number}: "{match[1]}" is not '
+                                    "beside it")
                 match = INCLUDE.match(line)
                 if not match:
                     continue
@@ -93,6 +100,7 @@ def self_test():
         "source/grid/c.cc": "#include <waker/base/missing.h>\n",
         "source/grid/d.cc": '#include "waker/program/p.h"\n',
         "source/surface/boxes/b.cc": "#include <waker/surface/s.h>\n",
+        "source/grid/e.cc": '#include "moved.h"\n',
     }
     expected = {
         "source/base/a.cc": ["source/base/a.cc:2: base/ must not include "
@@ -107,6 +115,7 @@ def self_test():
                              "<waker/program/p.h>",
                              "source/grid/d.cc:1: <waker/program/p.h> does not "
                              "exist"],
+        "source/grid/e.cc": ['source/grid/e.cc:1: "moved.h" is not beside it'],
         "source/surface/boxes/b.cc": ["source/surface/boxes/b.cc:1: "
                                       "surface/boxes/ must not include "
                                       "<waker/surface/s.h>"],

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
 #include <waker/base/file_error.h>
+#include <waker/base/hash.h>
 #include <waker/output/files.h>
 #include <waker/output/folder_lock.h>
 #include <waker/output/output_folder.h>
@@ -404,7 +405,7 @@ namespace Waker::output_folder
       for (unsigned int i = 0; i < 5; ++i)
         {
           put(series.next_path(), "frame");
-          series.add(0.1 * i);
+          series.add(0.1 * i, checksum_of_text("frame"));
           if (i == 2)
             at_checkpoint = series.entries();
         }
@@ -427,7 +428,7 @@ namespace Waker::output_folder
     for (unsigned int i = 3; i < 5; ++i)
       {
         put(series.next_path(), "frame");
-        series.add(0.1 * i);
+        series.add(0.1 * i, checksum_of_text("frame"));
       }
     EXPECT_EQ(get(folder.file("particles.pvd")), whole);
   }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/hash.h>
 #include <waker/output/output_files.h>
 #include <waker/output/pvd.h>
 
@@ -19,7 +20,8 @@ namespace Waker::output_pvd
         {
           entries = series.entries();
           put(series.next_path(), text);
-          series.add(static_cast<double>(entries.size()));
+          series.add(static_cast<double>(entries.size()),
+                     checksum_of_text(text));
         }
       return entries;
     }

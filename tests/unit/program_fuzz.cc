@@ -173,42 +173,42 @@ end
         }
       return Answer::accepted;
     }
-
-
-    class Fuzz : public testing::Test
-    {
-    protected:
-      const std::string file =
-        testing::TempDir() + "waker_fuzz_" + std::to_string(getpid()) + ".prm";
-
-      std::vector<DeclaredParameter> parameters;
-
-      void
-      SetUp() override
-      {
-        std::ofstream(file) << small_case;
-        Input            input;
-        ParameterHandler prm;
-        declare_parameters(prm,
-                           input,
-                           {{"clay"},
-                            {"dyke"},
-                            {"base", "side"},
-                            {"wind"},
-                            {"man"},
-                            {"wall"},
-                            {"in"},
-                            {"strength"}});
-        parameters = declared_parameters(prm);
-      }
-
-      void
-      TearDown() override
-      {
-        ::unlink(file.c_str());
-      }
-    };
   } // namespace
+
+
+  class Fuzz : public testing::Test
+  {
+  protected:
+    const std::string file =
+      testing::TempDir() + "waker_fuzz_" + std::to_string(getpid()) + ".prm";
+
+    std::vector<DeclaredParameter> parameters;
+
+    void
+    SetUp() override
+    {
+      std::ofstream(file) << small_case;
+      Input            input;
+      ParameterHandler prm;
+      declare_parameters(prm,
+                         input,
+                         {{"clay"},
+                          {"dyke"},
+                          {"base", "side"},
+                          {"wind"},
+                          {"man"},
+                          {"wall"},
+                          {"in"},
+                          {"strength"}});
+      parameters = declared_parameters(prm);
+    }
+
+    void
+    TearDown() override
+    {
+      ::unlink(file.c_str());
+    }
+  };
 
 
   TEST_F(Fuzz, the_case_itself_is_good)

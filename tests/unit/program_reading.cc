@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/choice.h>
 #include <waker/base/expression_pattern.h>
 #include <waker/program/command_line.h>
 #include <waker/program/declared_parameters.h>
@@ -189,7 +190,9 @@ namespace program_reading
     print_parameters(prm, ParameterFormat::prm);
     print_parameters(markdown, ParameterFormat::markdown);
     EXPECT_NE(markdown.str().find("| Cell size | 0.25 |"), std::string::npos);
-    EXPECT_USER_ERROR(print_parameters(prm, "yaml"), "--format", "\"yaml\"");
+    EXPECT_USER_ERROR(choice_named<ParameterFormat>("yaml", "--format"),
+                      "--format",
+                      "\"yaml\"");
     // All that a user must fill in: the profile, and the places of what is not
     // wanted by every case.
     const auto p =

@@ -3,7 +3,7 @@
 #define waker_campaign_campaign_folder_h
 
 #include <waker/campaign/campaign.h>
-#include <waker/campaign/campaign_writer.h>
+#include <waker/store/campaign_writer.h>
 
 #include <memory>
 #include <string>

@@ -90,10 +90,6 @@ namespace Waker
       return scenarios[scenario].counts;
     }
 
-    /// Has any realisation that is wanted ended without a numerical failure?
-    bool
-    has_result() const;
-
     /// Wanted, over all scenarios, and how many of these are done.
     std::uint64_t
     n_wanted() const;

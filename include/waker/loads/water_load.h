@@ -71,7 +71,7 @@ namespace Waker
     bool
     moves() const
     {
-      return rise.moves();
+      return parameters.stands() && rise.moves();
     }
 
     /// The last time at which the load changes (s): see LastChange.

@@ -56,7 +56,7 @@ namespace Waker
 
     /// @throws UserError "Materials/<name>/..."
     void
-    check(const unsigned int dim = 3) const;
+    check(const unsigned int dim) const;
   };
 
   /// @param gravity acceleration (m/s^2) that turns unit weight into density

@@ -36,6 +36,7 @@ namespace Waker
     const Surface                        &surface;
     const std::vector<LoadedSegment>     &wetted;
     const WaterResultant                 &water;
+    const Liquid                         &standing_water;
     const FailureRecord                  &failure; // with the geometry
     const StepReport<dim>                &report;
     const EnergyAccount                  &energy;

@@ -43,7 +43,7 @@ namespace Waker
    * @param time of the state (s), stored in the file
    */
   template <int dim>
-  void
+  std::string
   write_grid(const BackgroundGrid<dim> &grid,
              const std::vector<double> &node_mass,
              const GridFields          &fields,

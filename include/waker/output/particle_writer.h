@@ -43,7 +43,7 @@ namespace Waker
    * @param time of the state (s), stored in the file
    */
   template <int dim>
-  void
+  std::string
   write_particles(const MaterialPoints<dim> &points,
                   const double               time,
                   const std::string         &path,

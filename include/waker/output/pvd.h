@@ -44,8 +44,9 @@ namespace Waker
     next_path() const;
 
     /// The file next_path() has been written for this time (s).
+    /// @param checksum that its writer returned
     void
-    add(const double time);
+    add(const double time, const std::string &checksum);
 
     /// What a checkpoint stores.
     const std::vector<PvdEntry> &

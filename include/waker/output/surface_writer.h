@@ -23,7 +23,7 @@ namespace Waker
    *
    * @param time of the state (s), stored in the file
    */
-  void
+  std::string
   write_surface(const Surface                    &surface,
                 const std::vector<LoadedSegment> &wetted_segments,
                 const Liquid                     &water,
@@ -33,7 +33,7 @@ namespace Waker
   /// The same for a surface of facets: lines or triangles, without the field
   /// chain.
   template <int dim>
-  void
+  std::string
   write_surface(const Facets<dim> &surface,
                 const Facets<dim> &wetted,
                 const Liquid      &water,

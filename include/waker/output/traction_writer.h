@@ -19,7 +19,7 @@ namespace Waker
    * @param time of the state (s), stored in the file
    */
   template <int dim>
-  void
+  std::string
   write_tractions(const Tractions<dim> &tractions,
                   const double          time,
                   const std::string    &path);

@@ -18,7 +18,7 @@ namespace Waker
    * @param time of the state (s), stored in the file
    */
   template <int dim>
-  void
+  std::string
   write_walls(const Walls<dim>                     &walls,
               const typename Walls<dim>::Tractions &tractions,
               const double                          time,

@@ -32,7 +32,8 @@ namespace Waker
    * Turn the handle until the realisation stops: the one loop over a run.
    *
    * @return why it has stopped; StopReason::none if the watcher has left it
-   * @throws NumericalFailure; the state is then the last good one
+   * @throws NumericalFailure; the state is then the last good one, but for a
+   *   step of which the numbers are none: State::points holds them
    */
   template <int dim>
   StopReason

@@ -19,9 +19,9 @@ namespace Waker
    * [x_p - l_p, x_p + l_p] (section 3.6.2 of Remmerswaal 2023). A load on it is
    * consistent with the internal force of GIMP for every shape of the body.
    *
-   * In 2D: closed chains by the slab method (surface/boxes/box_union_contour.h). In
-   * 3D: the outer faces of the union of boxes
-   * (surface/boxes/box_union_faces.h).
+   * In 2D: closed chains by the slab method
+   * (surface/boxes/box_union_contour.h). In 3D: the outer faces of the union of
+   * boxes (surface/boxes/box_union_faces.h).
    *
    * Gaps up to a share of the smallest domain's width (in x, and in z) or
    * height (in y) are filled, SurfaceParameters::minimum_gap_width and _height.

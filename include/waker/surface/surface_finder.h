@@ -9,6 +9,7 @@
 #include <waker/surface/shape/facet.h>
 #include <waker/surface/shape/surface.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -22,12 +23,19 @@ namespace Waker
     surface_nodes, // between active and inactive cells
     volume         // of the points in each cell
   };
+  constexpr std::size_t n_found_surfaces = 4;
 
   constexpr FoundSurface
   found_by(const SurfaceMethod method)
   {
-    return method == SurfaceMethod::contour ? FoundSurface::contour
-                                            : FoundSurface::proximity_field;
+    switch (method)
+      {
+        case SurfaceMethod::proximity_field:
+          return FoundSurface::proximity_field;
+        case SurfaceMethod::contour:
+          return FoundSurface::contour;
+      }
+    return FoundSurface::proximity_field;
   }
 
 
@@ -106,8 +114,8 @@ namespace Waker
 
     bool    has_chains[2] = {false, false}; // proximity field, contour
     Surface found_chains[2];
-    Found   found[4]; // proximity field, contour, surface nodes, volume
-    bool    has_field = false;
+    std::array<Found, n_found_surfaces> found; // by FoundSurface
+    bool                                has_field = false;
   };
 } // namespace Waker
 

@@ -2,7 +2,7 @@
 #include <waker/base/errors.h>
 #include <waker/base/file_error.h>
 #include <waker/statistics/failure_class.h>
-#include <waker/statistics/store.h>
+#include <waker/statistics/results_file.h>
 
 #include "output_temporary_folder.h"
 #include "processes.h"
@@ -19,7 +19,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-namespace Waker::statistics_store
+namespace Waker::statistics_results_file
 {
   namespace
   {
@@ -360,4 +360,4 @@ namespace Waker::statistics_store
     write(path, six_records());
     EXPECT_EQ(get(path).substr(1, 3), "HDF");
   }
-} // namespace Waker::statistics_store
+} // namespace Waker::statistics_results_file

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef waker_statistics_store_h
-#define waker_statistics_store_h
+#ifndef waker_statistics_results_file_h
+#define waker_statistics_results_file_h
 
 #include <waker/statistics/slides.h>
 #include <waker/store/campaign_info.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef waker_campaign_campaign_writer_h
-#define waker_campaign_campaign_writer_h
+#ifndef waker_store_campaign_writer_h
+#define waker_store_campaign_writer_h
 
 #include <waker/output/folder_lock.h>
 #include <waker/output/output_files.h>

@@ -2,7 +2,7 @@
 #include <waker/base/numbers.h>
 #include <waker/statistics/estimates.h>
 #include <waker/statistics/fragility.h>
-#include <waker/statistics/store_scenarios.h>
+#include <waker/statistics/results_scenarios.h>
 
 #include <algorithm>
 #include <type_traits>

@@ -2,8 +2,8 @@
 #include <waker/base/errors.h>
 #include <waker/output/files.h>
 #include <waker/statistics/columns.h>
-#include <waker/statistics/store.h>
-#include <waker/statistics/store_scenarios.h>
+#include <waker/statistics/results_file.h>
+#include <waker/statistics/results_scenarios.h>
 #include <waker/store/hdf5_file.h>
 
 #include <algorithm>

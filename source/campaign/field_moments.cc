@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
-#include <waker/statistics/field_moments.h>
+#include <waker/campaign/field_moments.h>
 
 #include <cmath>
 

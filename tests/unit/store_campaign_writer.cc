@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
 #include <waker/base/host.h>
-#include <waker/campaign/campaign_writer.h>
+#include <waker/store/campaign_writer.h>
 
 #include "output_temporary_folder.h"
 #include "processes.h"
@@ -10,7 +10,7 @@
 #include <memory>
 #include <vector>
 
-namespace Waker::campaign_writer
+namespace Waker::store_campaign_writer
 {
   namespace
   {
@@ -135,4 +135,4 @@ namespace Waker::campaign_writer
     EXPECT_EQ(n_files(folder.file("done")), n_tasks);
     EXPECT_FALSE(std::filesystem::exists(folder.file("writers")));
   }
-} // namespace Waker::campaign_writer
+} // namespace Waker::store_campaign_writer

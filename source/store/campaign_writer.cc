@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
 #include <waker/base/host.h>
-#include <waker/campaign/campaign_writer.h>
 #include <waker/output/files.h>
+#include <waker/store/campaign_writer.h>
 
 #include <algorithm>
 #include <cctype>

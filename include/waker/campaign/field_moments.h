@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef waker_statistics_field_moments_h
-#define waker_statistics_field_moments_h
+#ifndef waker_campaign_field_moments_h
+#define waker_campaign_field_moments_h
 
 #include <waker/fields/parameters.h>
 #include <waker/simulation/case.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef waker_statistics_store_scenarios_h
-#define waker_statistics_store_scenarios_h
+#ifndef waker_statistics_results_scenarios_h
+#define waker_statistics_results_scenarios_h
 
 #include <waker/store/campaign_info.h>
 #include <waker/store/hdf5_file.h>
