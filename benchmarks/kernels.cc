@@ -2,6 +2,9 @@
 //
 // The parts of a step, each alone, on a dyke in motion at the first guess of
 // Newton's method.
+#include <deal.II/lac/diagonal_matrix.h>
+#include <deal.II/lac/solver_gmres.h>
+
 #include <waker/mapping/transfer.h>
 #include <waker/mechanics/consistent_tangent.h>
 #include <waker/mechanics/double_mapped_tangent.h>
@@ -118,8 +121,45 @@ namespace WakerBenchmarks
     }
 
 
+    /// deal.II's GMRES with the preconditioner of ours: why there is ours.
+    class DealGmres
+    {
+    public:
+      void
+      prepare(const Operator &system, const NodalVector &b)
+      {
+        NodalVector &diagonal = preconditioner.get_vector();
+        diagonal.reinit(b);
+        system.add_diagonal(diagonal);
+        for (double &entry : diagonal)
+          entry = entry != 0. ? 1. / entry : 0.;
+      }
+
+      LinearReport
+      solve(const Operator    &system,
+            NodalVector       &x,
+            const NodalVector &b,
+            const double       tolerance,
+            const unsigned int max_iterations)
+      {
+        SolverControl            control(max_iterations,
+                              tolerance * b.l2_norm(),
+                              false,
+                              false);
+        SolverGMRES<NodalVector> gmres(
+          control, SolverGMRES<NodalVector>::AdditionalData(30, true));
+        x = 0.;
+        gmres.solve(system, x, b, preconditioner);
+        return {control.last_step(), true};
+      }
+
+    private:
+      DiagonalMatrix<NodalVector> preconditioner;
+    };
+
+
     /// The first linear system of the step, to the accuracy of a run.
-    template <typename Tangent, int dim>
+    template <typename Tangent, int dim, bool by_deal = false>
     void
     time_linear_solve(benchmark::State &timer, Moment<dim> &m)
     {
@@ -158,16 +198,27 @@ namespace WakerBenchmarks
       reached.reinit(nodes.mass);
       const SystemOperator<dim> system(
         resistances, 1., 4. / (m.dt * m.dt), nodes.mass, reached, removed);
-      LinearSolver solver(m.the_case.grid.n_dofs());
+      LinearSolver ours(m.the_case.grid.n_dofs());
+      DealGmres    deal;
       LinearReport report;
       for (auto _ : timer)
         {
-          solver.prepare(system);
-          report = solver.solve(system,
-                                correction,
-                                R,
-                                newton.linear_tolerance,
-                                newton.maximum_linear_iterations);
+          if constexpr (by_deal)
+            {
+              deal.prepare(system, R);
+              report = deal.solve(system,
+                                  correction,
+                                  R,
+                                  newton.linear_tolerance,
+                                  newton.maximum_linear_iterations);
+              continue;
+            }
+          ours.prepare(system);
+          report = ours.solve(system,
+                              correction,
+                              R,
+                              newton.linear_tolerance,
+                              newton.maximum_linear_iterations);
         }
       timer.counters["iterations"] = report.iterations;
       if (!report.converged)
@@ -222,6 +273,8 @@ namespace WakerBenchmarks
       {"consistent tangent: set-up", time_tangent_set_up<Consistent, dim>},
       {"consistent tangent: product", time_tangent_product<Consistent, dim>},
       {"consistent tangent: solve", time_linear_solve<Consistent, dim>},
+      {"consistent tangent: solve by deal.II",
+       time_linear_solve<Consistent, dim, true>},
       {"double mapping: set-up", time_tangent_set_up<DoubleMapped, dim>},
       {"double mapping: product", time_tangent_product<DoubleMapped, dim>},
       {"double mapping: solve", time_linear_solve<DoubleMapped, dim>},
