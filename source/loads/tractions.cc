@@ -48,6 +48,16 @@ namespace Waker
                          {},
                          NodalVector(grid.n_dofs()),
                          {}});
+        // The input was checked by the facts: the placement must agree.
+        const MethodFacts             facts = facts_of(parameters[i].method);
+        const TractionPlacement<dim> &placement = *items.back().placement;
+        AssertThrow(placement.on_points() == facts.on_points &&
+                      placement.is_fixed() == facts.is_fixed &&
+                      placement.is_carried() ==
+                        parameters[i].has_user_surface(),
+                    ExcMessage("facts_of() and the placement of \"" +
+                               std::string(name_of(parameters[i].method)) +
+                               "\" disagree"));
       }
   }
 

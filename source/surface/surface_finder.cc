@@ -69,7 +69,7 @@ namespace Waker
     points = &the_points;
     for (bool &has : has_chains)
       has = false;
-    for (Found &surface : found)
+    for (auto &[which, surface] : found)
       surface.is_valid = false;
     has_field = false;
   }
@@ -117,7 +117,7 @@ namespace Waker
   SurfaceFinder<dim>::facets(const FoundSurface which, const std::string &path)
   {
     Assert(points != nullptr, ExcInternalError());
-    Found &surface = found.at(static_cast<std::size_t>(which));
+    Found &surface = found[which];
     if (surface.is_valid)
       return surface.facets;
     switch (which)

@@ -60,7 +60,7 @@ namespace Waker
     virtual Role
     role() const = 0;
 
-    /// A step of the points from t to t + dt (s).
+    /// A step of the points from t to t + dt (s); dt is 0 in the gravity step.
     /// @param nodes with the mass of the points
     virtual void
     begin(const MaterialPoints<dim> &points,

@@ -9,7 +9,7 @@
 #include <waker/surface/shape/facet.h>
 #include <waker/surface/shape/surface.h>
 
-#include <array>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -23,7 +23,6 @@ namespace Waker
     surface_nodes, // between active and inactive cells
     volume         // of the points in each cell
   };
-  constexpr std::size_t n_found_surfaces = 4;
 
   constexpr FoundSurface
   found_by(const SurfaceMethod method)
@@ -114,8 +113,8 @@ namespace Waker
 
     bool    has_chains[2] = {false, false}; // proximity field, contour
     Surface found_chains[2];
-    std::array<Found, n_found_surfaces> found; // by FoundSurface
-    bool                                has_field = false;
+    std::map<FoundSurface, Found> found; // those asked for so far
+    bool                          has_field = false;
   };
 } // namespace Waker
 
