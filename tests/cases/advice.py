@@ -189,7 +189,9 @@ def main():
            fill={"Output/Directory": "other"})
 
     # A folder in use, and one with a lock that is not ours.
-    long_run = settings("Time stepping/End time=1000", "Output/Interval=0",
+    # (It would come to rest, and end, within a second.)
+    long_run = settings("Time stepping/End time=1000",
+                        "Stop rules/Rest duration=1000", "Output/Interval=0",
                         "Output/Directory=busy")
     busy = subprocess.Popen([waker.path, "run", dyke] + long_run,
                             stdout=subprocess.DEVNULL,
@@ -204,6 +206,8 @@ def main():
         follow(["run", dyke, "--overwrite"] +
                settings("Output/Directory=busy", "Time stepping/End time=0"), 1,
                fill={"Output/Directory": "free"})
+        if busy.poll() is not None:
+            complain(["run", dyke] + long_run, "ended too early", [])
     finally:
         busy.kill()
         busy.wait()
