@@ -75,6 +75,7 @@ namespace Waker
     add_value(const Tensor<1, dim> &value);
 
     /// @param time of the state (s), stored in the file
+    /// @return checksum_of_text() of the file
     /// @throws as throw_cannot_write() if it cannot be written
     std::string
     write(const double time, const std::string &path) const;

@@ -41,6 +41,7 @@ namespace Waker
    * @param node_mass mass of each node (Mg), n_nodes long; it is written as
    *        the field "mass" as well
    * @param time of the state (s), stored in the file
+   * @return checksum_of_text() of the file, for PvdSeries::add()
    */
   template <int dim>
   std::string

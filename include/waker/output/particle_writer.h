@@ -41,6 +41,7 @@ namespace Waker
    * material as whole numbers: these files are for looking.
    *
    * @param time of the state (s), stored in the file
+   * @return checksum_of_text() of the file, for PvdSeries::add()
    */
   template <int dim>
   std::string

@@ -22,6 +22,7 @@ namespace Waker
    * chains).
    *
    * @param time of the state (s), stored in the file
+   * @return checksum_of_text() of the file, for PvdSeries::add()
    */
   std::string
   write_surface(const Surface                    &surface,

@@ -17,6 +17,7 @@ namespace Waker
    * (kPa, a vector) and pressure (kPa, against the outward normal).
    *
    * @param time of the state (s), stored in the file
+   * @return checksum_of_text() of the file, for PvdSeries::add()
    */
   template <int dim>
   std::string

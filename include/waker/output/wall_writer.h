@@ -16,6 +16,7 @@ namespace Waker
    * into the soil).
    *
    * @param time of the state (s), stored in the file
+   * @return checksum_of_text() of the file, for PvdSeries::add()
    */
   template <int dim>
   std::string
