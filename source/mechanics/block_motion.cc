@@ -36,39 +36,6 @@ namespace Waker
 
   namespace
   {
-    Kinematics<3>
-    motion_of(const BlockMotion<3> &block, const unsigned int l)
-    {
-      Tensor<2, 3> gradient;
-      for (unsigned int i = 0; i < 3; ++i)
-        for (unsigned int j = 0; j < 3; ++j)
-          gradient[i][j] = block.H[3 * i + j][l];
-      return {gradient, block.objective_rate};
-    }
-  } // namespace
-
-
-  template <>
-  void
-  BlockMotion<3>::move(Material::Block &block) const
-  {
-    for (unsigned int l = 0; l < N; ++l)
-      {
-        const Kinematics<3>         motion = motion_of(*this, l);
-        const SymmetricTensor<2, 3> turned =
-          motion.turn(block_stress(block.stress, l));
-        const SymmetricTensor<2, 3> strain = motion.strain();
-        for (unsigned int a = 0; a < 6; ++a)
-          {
-            block.stress[a][l]           = turned.access_raw_entry(a);
-            block.strain_increment[a][l] = strain.access_raw_entry(a);
-          }
-      }
-  }
-
-
-  namespace
-  {
     /// Of n stresses, the first two xx and yy, the last one xy.
     template <unsigned int n>
     void
@@ -148,41 +115,5 @@ namespace Waker
   }
 
 
-  template <>
-  void
-  BlockMotion<3>::stress_derivative(const double (*D)[N],
-                                    const double (*turned)[N],
-                                    const double  shear_modulus,
-                                    const double *scale,
-                                    double (*A)[9][N]) const
-  {
-    SymmetricTensor<4, 3> tangent;
-    double                A_point[6][9];
-    for (unsigned int l = 0; l < N; ++l)
-      {
-        for (unsigned int a = 0; a < 36; ++a)
-          tangent.access_raw_entry(a) = D[a][l];
-        motion_of(*this, l).stress_derivative(
-          tangent, block_stress(turned, l), shear_modulus, scale[l], A_point);
-        for (unsigned int a = 0; a < 6; ++a)
-          for (unsigned int k = 0; k < 9; ++k)
-            A[a][k][l] = A_point[a][k];
-      }
-  }
-
-
-  template <>
-  void
-  BlockMotion<3>::full_stress_derivative(const double (*D)[N],
-                                         const double (*turned)[N],
-                                         const double  shear_modulus,
-                                         const double *scale,
-                                         double (*A)[9][N]) const
-  {
-    stress_derivative(D, turned, shear_modulus, scale, A);
-  }
-
-
   template struct BlockMotion<2>;
-  template struct BlockMotion<3>;
 } // namespace Waker

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/mechanics/block_motion.h>
 #include <waker/mechanics/gradient_layout.h>
+#include <waker/mechanics/grouped_tangents.h>
 #include <waker/mechanics/logarithmic_motion.h>
-#include <waker/mechanics/point_tangents.h>
 #include <waker/mechanics/step_motion.h>
 
 #include <algorithm>
@@ -195,8 +195,9 @@ namespace Waker
   std::unique_ptr<PointTangents<dim>>
   LogarithmicMotion<dim>::make_tangents() const
   {
-    return std::make_unique<
-      LayoutTangents<dim, GradientLayout<dim, dim * dim>>>();
+    return make_layout_tangents<dim,
+                                GradientLayout<dim, dim * dim>,
+                                GroupGradientLayout<9>>();
   }
 
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/mapping/centre_stencil.h>
 #include <waker/mechanics/gradient_layout.h>
-#include <waker/mechanics/point_tangents.h>
+#include <waker/mechanics/grouped_tangents.h>
 #include <waker/mechanics/step_motion.h>
 
 #include <algorithm>
@@ -116,6 +116,72 @@ namespace Waker
       }
 
       const CentreStencil<dim> stencil;
+    };
+
+
+    /// The same for groups of points (see GroupedTangents).
+    struct GroupMeanDilatationLayout
+    {
+      static constexpr unsigned int n_in  = 10;
+      static constexpr unsigned int n_out = 7;
+
+      explicit GroupMeanDilatationLayout(const Weights<3> &weights)
+        : stencil(weights.background_grid())
+      {}
+
+      void
+      gather(const PointGroup &w, const float *u, Lanes *in) const
+      {
+        stencil.gradient(w, u, in);
+        const Lanes tr = in[0] + in[4] + in[8];
+        in[9]          = (stencil.mean_dilatation(w, u) - tr) * (1.f / 3.f);
+      }
+
+      void
+      scatter(const PointGroup &w, const Lanes *out, float *f) const
+      {
+        Lanes P[9];
+        for (unsigned int c = 0; c < 3; ++c)
+          for (unsigned int d = 0; d < 3; ++d)
+            P[3 * c + d] = out[stress_row<3>(c, d)];
+        for (unsigned int c = 0; c < 3; ++c)
+          P[4 * c] -= out[6];
+        stencil.scatter(w, P, out[6], f);
+      }
+
+      void
+      add_diagonal(const PointGroup &w, const Lanes *A, float *f) const
+      {
+        // As MeanDilatationLayout.
+        Lanes r[3][3];
+        for (unsigned int c = 0; c < 3; ++c)
+          for (unsigned int e = 0; e < 3; ++e)
+            r[c][e] = A[n_in * stress_row<3>(c, e) + 9] * (1.f / 3.f) +
+                      A[n_in * 6 + 3 * c + e];
+        const Lanes pressure = A[n_in * 6 + 9] * (1.f / 3.f);
+        stencil.scatter_of_gradients(
+          w,
+          [&](const Lanes *const g,
+              const Lanes *const centre,
+              Lanes *const       sum) {
+            for (unsigned int c = 0; c < 3; ++c)
+              {
+                const Lanes q     = centre[c] - g[c];
+                Lanes       total = q * q * pressure;
+                for (unsigned int e = 0; e < 3; ++e)
+                  {
+                    const Lanes *const row =
+                      A + n_in * stress_row<3>(c, e) + 3 * c;
+                    total += g[e] * (q * r[c][e] + row[0] * g[0] +
+                                     row[1] * g[1] + row[2] * g[2]);
+                  }
+                sum[c] += total;
+              }
+          },
+          f);
+      }
+
+      const GroupStencil stencil;
     };
   } // namespace
 
@@ -288,7 +354,9 @@ namespace Waker
   std::unique_ptr<PointTangents<dim>>
   MeanDilatationMotion<dim>::make_tangents() const
   {
-    return std::make_unique<LayoutTangents<dim, MeanDilatationLayout<dim>>>();
+    return make_layout_tangents<dim,
+                                MeanDilatationLayout<dim>,
+                                GroupMeanDilatationLayout>();
   }
 
 

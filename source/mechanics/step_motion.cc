@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/mechanics/gradient_layout.h>
-#include <waker/mechanics/point_tangents.h>
+#include <waker/mechanics/grouped_tangents.h>
 #include <waker/mechanics/step_motion.h>
 
 #include <algorithm>
@@ -173,8 +173,9 @@ namespace Waker
   std::unique_ptr<PointTangents<dim>>
   StepMotion<dim>::make_tangents() const
   {
-    return std::make_unique<
-      LayoutTangents<dim, GradientLayout<dim, dim *(dim + 1) / 2>>>();
+    return make_layout_tangents<dim,
+                                GradientLayout<dim, dim *(dim + 1) / 2>,
+                                GroupGradientLayout<6>>();
   }
 
 

@@ -2,6 +2,7 @@
 #ifndef waker_mechanics_gradient_layout_h
 #define waker_mechanics_gradient_layout_h
 
+#include <waker/mapping/group_stencil.h>
 #include <waker/mapping/stencil.h>
 #include <waker/materials/material.h>
 
@@ -75,6 +76,55 @@ namespace Waker
     }
 
     const Stencil<dim> stencil;
+  };
+
+
+  /// The same for groups of points (see GroupedTangents).
+  template <unsigned int n_rows>
+  struct GroupGradientLayout
+  {
+    static constexpr unsigned int n_in  = 9;
+    static constexpr unsigned int n_out = n_rows;
+
+    explicit GroupGradientLayout(const Weights<3> &weights)
+      : stencil(weights.background_grid())
+    {}
+
+    void
+    gather(const PointGroup &w, const float *u, Lanes *in) const
+    {
+      stencil.gradient(w, u, in);
+    }
+
+    void
+    scatter(const PointGroup &w, const Lanes *out, float *f) const
+    {
+      Lanes P[9];
+      for (unsigned int c = 0; c < 3; ++c)
+        for (unsigned int d = 0; d < 3; ++d)
+          P[3 * c + d] = out[stress_row<3, n_rows>(c, d)];
+      stencil.scatter(w, P, f);
+    }
+
+    void
+    add_diagonal(const PointGroup &w, const Lanes *A, float *f) const
+    {
+      stencil.scatter_of_gradients(
+        w,
+        [&](const Lanes *const g, const Lanes *, Lanes *const sum) {
+          for (unsigned int c = 0; c < 3; ++c)
+            for (unsigned int d = 0; d < 3; ++d)
+              {
+                const Lanes *const row =
+                  A + n_in * stress_row<3, n_rows>(c, d) + 3 * c;
+                sum[c] +=
+                  g[d] * (row[0] * g[0] + row[1] * g[1] + row[2] * g[2]);
+              }
+        },
+        f);
+    }
+
+    const GroupStencil stencil;
   };
 } // namespace Waker
 

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_mechanics_grouped_tangents_h
+#define waker_mechanics_grouped_tangents_h
+
+#include <waker/mapping/group_stencil.h>
+#include <waker/mechanics/point_tangents.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace Waker
+{
+  /**
+   * The derivatives of the points' forces in 3D, group by group of points
+   * around a node (mapping/point_groups.h), in single precision: what a Krylov
+   * method needs of a product is a direction, and its time is that of the
+   * memory it reads. The residual, which says what has converged, is in double
+   * precision.
+   *
+   * The layout has, as one of LayoutTangents,
+   *   n_in, n_out              how many numbers a point gathers and scatters,
+   *   gather(group, u, in)     in[.] from the nodes' u,
+   *   scatter(group, out, f)   the nodes' f from out[.],
+   *   add_diagonal(group, A, f),
+   * and A[n_in o + i] = d out_o / d in_i of the group's points between them.
+   */
+  template <typename Layout>
+  class GroupedTangents : public PointTangents<3>
+  {
+  public:
+    void
+    reinit(const StressUpdate<3>   &stress_update,
+           const MaterialPoints<3> &points,
+           const Weights<3>        &weights,
+           NodalVector             &diagonal) override
+    {
+      constexpr unsigned int N = Material::block_size;
+      groups.reinit(weights);
+      tangents.resize(groups.size());
+      for (std::size_t g = 0; g < groups.size(); ++g)
+        if (groups[g].n_points < n_lanes)
+          tangents[g] = GroupTangent{};
+
+      double A[n_entries][N];
+      for (std::size_t b = 0; b * N < points.n_points(); ++b)
+        {
+          stress_update.tangent(
+            points, b, &A[0][0], Layout::n_out, Layout::n_in);
+          const std::size_t n_points =
+            std::min<std::size_t>(N, points.n_points() - b * N);
+          for (unsigned int l = 0; l < n_points; ++l)
+            {
+              Lanes *const to   = tangents[groups.group_of(b * N + l)].A;
+              const auto   lane = groups.lane_of(b * N + l);
+              for (unsigned int k = 0; k < n_entries; ++k)
+                to[k][lane] = A[k][l];
+            }
+        }
+
+      const Layout layout(weights);
+      result.assign(diagonal.locally_owned_size(), 0.f);
+      for (std::size_t g = 0; g < groups.size(); ++g)
+        layout.add_diagonal(groups[g], tangents[g].A, result.data());
+      std::copy(result.begin(), result.end(), diagonal.begin());
+    }
+
+    void
+    vmult_add(const Weights<3> &weights,
+              const double     *u,
+              double           *f) const override
+    {
+      const Layout layout(weights);
+      direction.assign(u, u + result.size());
+      std::fill(result.begin(), result.end(), 0.f);
+      for (std::size_t g = 0; g < groups.size(); ++g)
+        {
+          Lanes in[Layout::n_in], out[Layout::n_out];
+          layout.gather(groups[g], direction.data(), in);
+          const Lanes *A = tangents[g].A;
+          for (unsigned int o = 0; o < Layout::n_out; ++o)
+            {
+              out[o] = Lanes{};
+              for (unsigned int i = 0; i < Layout::n_in; ++i)
+                out[o] += *A++ * in[i];
+            }
+          layout.scatter(groups[g], out, result.data());
+        }
+      for (std::size_t dof = 0; dof < result.size(); ++dof)
+        f[dof] += result[dof];
+    }
+
+  private:
+    static constexpr unsigned int n_entries = Layout::n_out * Layout::n_in;
+
+    struct GroupTangent
+    {
+      Lanes A[n_entries];
+    };
+
+    PointGroups                groups;
+    std::vector<GroupTangent>  tangents;
+    mutable std::vector<float> direction, result; // of a product
+  };
+
+
+  /// The tangents of a motion: group by group in 3D, by blocks in 2D.
+  template <int dim, typename Layout, typename GroupLayout>
+  std::unique_ptr<PointTangents<dim>>
+  make_layout_tangents()
+  {
+    if constexpr (dim == 3)
+      return std::make_unique<GroupedTangents<GroupLayout>>();
+    else
+      return std::make_unique<LayoutTangents<dim, Layout>>();
+  }
+} // namespace Waker
+
+#endif
