@@ -5,8 +5,9 @@
 
 namespace Waker
 {
+  template <typename Lanes>
   void
-  PointGroups::reinit(const Weights<3> &weights)
+  PointGroups<Lanes>::reinit(const Weights<3> &weights)
   {
     const std::size_t  n_points = weights.size();
     const unsigned int n_nodes  = weights.background_grid().n_nodes();
@@ -35,7 +36,7 @@ namespace Waker
         const PointWeights<3> &w     = weights[p];
         const std::uint32_t    place = next_place[w.base]++;
         places[p]                    = place;
-        PointGroup        &group     = groups[place / n_lanes];
+        PointGroup<Lanes> &group     = groups[place / n_lanes];
         const unsigned int lane      = place % n_lanes;
         for (unsigned int d = 0; d < 3; ++d)
           for (unsigned int i = 0; i < 3; ++i)
@@ -45,4 +46,8 @@ namespace Waker
             }
       }
   }
+
+
+  template class PointGroups<SingleLanes>;
+  template class PointGroups<DoubleLanes>;
 } // namespace Waker

@@ -5,8 +5,10 @@
 namespace Waker
 {
   template <int dim>
-  ConsistentTangent<dim>::ConsistentTangent(const Weights<dim> &weights)
+  ConsistentTangent<dim>::ConsistentTangent(const Weights<dim> &weights,
+                                            const Precision     precision)
     : weights(&weights)
+    , precision(precision)
     , diagonal(weights.background_grid().n_dofs())
   {}
 
@@ -21,7 +23,7 @@ namespace Waker
                                  const MaterialPoints<dim> &points)
   {
     if (!tangents)
-      tangents = stress_update.point_motion().make_tangents();
+      tangents = stress_update.point_motion().make_tangents(precision);
     tangents->reinit(stress_update, points, *weights, diagonal);
   }
 

@@ -13,6 +13,9 @@ namespace Waker
   {
     constexpr unsigned int N = Material::block_size;
 
+    template <typename Lanes>
+    using FullGroupLayout = GroupGradientLayout<Lanes, 9>;
+
 
     /// Volume of point p without stress (m^dim).
     template <int dim>
@@ -193,11 +196,10 @@ namespace Waker
 
   template <int dim>
   std::unique_ptr<PointTangents<dim>>
-  LogarithmicMotion<dim>::make_tangents() const
+  LogarithmicMotion<dim>::make_tangents(const Precision precision) const
   {
-    return make_layout_tangents<dim,
-                                GradientLayout<dim, dim * dim>,
-                                GroupGradientLayout<9>>();
+    return make_layout_tangents<dim, GradientLayout<4>, FullGroupLayout>(
+      precision);
   }
 
 

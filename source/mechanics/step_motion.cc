@@ -10,6 +10,9 @@ namespace Waker
   namespace
   {
     constexpr unsigned int N = Material::block_size;
+
+    template <typename Lanes>
+    using SymmetricGroupLayout = GroupGradientLayout<Lanes, 6>;
   } // namespace
 
 
@@ -171,11 +174,10 @@ namespace Waker
 
   template <int dim>
   std::unique_ptr<PointTangents<dim>>
-  StepMotion<dim>::make_tangents() const
+  StepMotion<dim>::make_tangents(const Precision precision) const
   {
-    return make_layout_tangents<dim,
-                                GradientLayout<dim, dim *(dim + 1) / 2>,
-                                GroupGradientLayout<6>>();
+    return make_layout_tangents<dim, GradientLayout<3>, SymmetricGroupLayout>(
+      precision);
   }
 
 

@@ -306,7 +306,7 @@ namespace mechanics_logarithmic_strain
       const unsigned int     n = grid.n_dofs();
       StressUpdate<dim>      update(materials,
                                std::make_unique<LogarithmicMotion<dim>>());
-      ConsistentTangent<dim> tangent(weights);
+      ConsistentTangent<dim> tangent(weights, Precision::double_precision);
       NodalVector            force(n), up(n), down(n), product(n), other(n);
       const auto internal_force = [&](const NodalVector &v, NodalVector &f) {
         StressUpdate<dim>(materials, std::make_unique<LogarithmicMotion<dim>>())

@@ -4,17 +4,23 @@
 
 #include <waker/mapping/point_groups.h>
 
+#include <cstring>
+
 namespace Waker
 {
   /// CentreWeights (mapping/centre_stencil.h) of the points of a group.
+  template <typename Lanes>
   struct GroupCentreWeights
   {
-    GroupCentreWeights(const PointGroup &w, const float h)
+    using Number = typename LaneTraits<Lanes>::Number;
+
+    GroupCentreWeights(const PointGroup<Lanes> &w, const Number h)
     {
+      const Number half = Number(0.5) * h;
       for (unsigned int d = 0; d < 3; ++d)
         {
-          value[d][0] = -0.5f * h * w.gradient[d][0];
-          value[d][2] = 0.5f * h * w.gradient[d][2];
+          value[d][0] = -half * w.gradient[d][0];
+          value[d][2] = half * w.gradient[d][2];
           value[d][1] = value[d][0] + value[d][2];
         }
     }
@@ -24,12 +30,16 @@ namespace Waker
 
 
   /**
-   * Stencil<3> and CentreStencil<3> for a group of points at once, in single
-   * precision. `nodal` arrays hold three numbers per node.
+   * Stencil<3> and CentreStencil<3> for a group of points at once. `nodal`
+   * arrays hold three numbers per node.
    */
+  template <typename Lanes>
   class GroupStencil
   {
   public:
+    using Group  = PointGroup<Lanes>;
+    using Number = typename LaneTraits<Lanes>::Number;
+
     explicit GroupStencil(const BackgroundGrid<3> &grid)
       : h(grid.cell_size())
       , row(3 * grid.stride(1))
@@ -38,7 +48,7 @@ namespace Waker
 
     /// @param gradient out: grad u, [3 c + d] = du_c/dx_d
     void
-    gradient(const PointGroup &w, const float *nodal, Lanes *gradient) const
+    gradient(const Group &w, const Number *nodal, Lanes *gradient) const
     {
       for (unsigned int a = 0; a < 9; ++a)
         gradient[a] = Lanes{};
@@ -47,7 +57,7 @@ namespace Waker
           Lanes s[9] = {}; // sums over this plane, by component and direction
           for (unsigned int j = 0; j < 3; ++j)
             {
-              const float *const u = nodal + 3 * w.base + k * plane + j * row;
+              const Number *const u = nodal + 3 * w.base + k * plane + j * row;
               for (unsigned int c = 0; c < 3; ++c)
                 {
                   const Lanes v = w.value[0][0] * u[c] +
@@ -72,17 +82,17 @@ namespace Waker
 
     /// sum_i u_i . grad^c S_ip
     Lanes
-    mean_dilatation(const PointGroup &w, const float *nodal) const
+    mean_dilatation(const Group &w, const Number *nodal) const
     {
-      const GroupCentreWeights c(w, h);
-      Lanes                    mean = {};
+      const GroupCentreWeights<Lanes> c(w, h);
+      Lanes                           mean = {};
       for (unsigned int k = 0; k < 3; ++k)
         {
           Lanes in_plane = {}, across = {};
           for (unsigned int j = 0; j < 3; ++j)
             {
-              const float *const u = nodal + 3 * w.base + k * plane + j * row;
-              const Lanes        x = w.gradient[0][0] * u[0] +
+              const Number *const u = nodal + 3 * w.base + k * plane + j * row;
+              const Lanes         x = w.gradient[0][0] * u[0] +
                               w.gradient[0][1] * u[3] + w.gradient[0][2] * u[6];
               const Lanes y = c.value[0][0] * u[1] + c.value[0][1] * u[4] +
                               c.value[0][2] * u[7];
@@ -99,17 +109,14 @@ namespace Waker
     /// nodal_i,c += sum_p sum_d P_cd dS_ip/dx_d
     /// @param P [3 c + d]
     void
-    scatter(const PointGroup &w, const Lanes *P, float *nodal) const
+    scatter(const Group &w, const Lanes *P, Number *nodal) const
     {
       add<false>(w, P, Lanes{}, nodal);
     }
 
     /// nodal_i += sum_p (P grad S_ip + p grad^c S_ip)
     void
-    scatter(const PointGroup &w,
-            const Lanes      *P,
-            const Lanes       p,
-            float            *nodal) const
+    scatter(const Group &w, const Lanes *P, const Lanes p, Number *nodal) const
     {
       add<true>(w, P, p, nodal);
     }
@@ -118,11 +125,9 @@ namespace Waker
     /// @param f f(gradient, centre gradient, sum): adds to sum[3]
     template <typename Function>
     void
-    scatter_of_gradients(const PointGroup &w,
-                         const Function   &f,
-                         float            *nodal) const
+    scatter_of_gradients(const Group &w, const Function &f, Number *nodal) const
     {
-      const GroupCentreWeights c(w, h);
+      const GroupCentreWeights<Lanes> c(w, h);
       for (unsigned int k = 0; k < 3; ++k)
         {
           Lanes sums[32] = {};
@@ -146,9 +151,9 @@ namespace Waker
   private:
     template <bool mean>
     void
-    add(const PointGroup &w, const Lanes *P, const Lanes p, float *nodal) const
+    add(const Group &w, const Lanes *P, const Lanes p, Number *nodal) const
     {
-      const GroupCentreWeights c(w, h);
+      const GroupCentreWeights<Lanes> c(w, h);
       for (unsigned int k = 0; k < 3; ++k)
         {
           // The three planes of P, times the weights along z.
@@ -194,21 +199,21 @@ namespace Waker
 
     /// Add the sums over the lanes of the 27 numbers of a plane of nodes.
     void
-    add_plane(const Lanes (&sums)[32], float *nodal) const
+    add_plane(const Lanes (&sums)[32], Number *nodal) const
     {
-      union
-      {
-        Lanes vector[4];
-        float number[32];
-      } total;
-      for (unsigned int v = 0; v < 4; ++v)
-        total.vector[v] = sums_over_lanes(sums + n_lanes * v);
+      constexpr unsigned int n_lanes = LaneTraits<Lanes>::n;
+      Number                 total[32];
+      for (unsigned int v = 0; v < 32; v += n_lanes)
+        {
+          const Lanes s = sums_over_lanes(sums + v);
+          std::memcpy(total + v, &s, sizeof(s));
+        }
       for (unsigned int j = 0; j < 3; ++j)
         for (unsigned int a = 0; a < 9; ++a)
-          nodal[j * row + a] += total.number[9 * j + a];
+          nodal[j * row + a] += total[9 * j + a];
     }
 
-    float        h;
+    Number       h;
     unsigned int row;
     unsigned int plane;
   };

@@ -10,8 +10,9 @@
 
 namespace Waker
 {
-  /// Up to eight points whose stencils are the same nodes: their weights, one
-  /// point per lane. A lane without a point has none.
+  /// Points whose stencils are the same nodes: their weights, one point per
+  /// lane. A lane without a point has zeros.
+  template <typename Lanes>
   struct PointGroup
   {
     unsigned int base;     // lower left node of the stencil
@@ -24,10 +25,11 @@ namespace Waker
   /**
    * The points of a body in 3D, grouped by the nodes of their stencils: with 2
    * x 2 x 2 points a cell eight points lie around a node and share all 27. What
-   * is done group by group loads and stores nodal values once for eight points.
+   * is done group by group loads and stores nodal values once for all of them.
    *
    * The points' own order is left as it is; within a node they are in it.
    */
+  template <typename Lanes>
   class PointGroups
   {
   public:
@@ -41,7 +43,7 @@ namespace Waker
       return groups.size();
     }
 
-    const PointGroup &
+    const PointGroup<Lanes> &
     operator[](const std::size_t g) const
     {
       return groups[g];
@@ -60,7 +62,9 @@ namespace Waker
     }
 
   private:
-    std::vector<PointGroup>    groups;
+    static constexpr unsigned int n_lanes = LaneTraits<Lanes>::n;
+
+    std::vector<PointGroup<Lanes>> groups;
     std::vector<std::uint32_t> places; // n_lanes group + lane, of each point
     std::vector<std::uint32_t> next_place; // by base node
   };

@@ -244,20 +244,6 @@ namespace Waker
           }
     }
 
-    void
-    scatter_quadratic(const PointWeights<3> &w,
-                      const Tensor<2, 3> (&C)[3],
-                      double *nodal) const
-    {
-      for_each_node(w,
-                    [&](const unsigned int node,
-                        const double,
-                        const Tensor<1, 3> &gradient) {
-                      for (unsigned int c = 0; c < 3; ++c)
-                        nodal[3 * node + c] += gradient * (C[c] * gradient);
-                    });
-    }
-
     template <typename Function>
     void
     for_each_node(const PointWeights<3> &w, const Function &f) const

@@ -17,8 +17,9 @@ namespace Waker
   class ConsistentTangent : public Operator
   {
   public:
-    /// Both must outlive this object.
-    ConsistentTangent(const Weights<dim> &weights);
+    /// @param weights must outlive this object
+    ConsistentTangent(const Weights<dim> &weights,
+                      const Precision precision = Precision::single_precision);
     ~ConsistentTangent();
 
     /// Linearise where `stress_update` was last evaluated: of the same motion
@@ -47,6 +48,7 @@ namespace Waker
 
   private:
     const Weights<dim>                 *weights;
+    Precision                           precision;
     std::unique_ptr<PointTangents<dim>> tangents;
     NodalVector                         diagonal;
   };

@@ -21,68 +21,72 @@ namespace Waker
 
 
   /**
-   * The layout (see LayoutTangents) of motions that are a gradient of u: A
+   * The layout (see BlockTangents) of motions that are a gradient of u: A
    * gives n_rows stresses times a volume.
    */
-  template <int dim, unsigned int n_rows>
+  template <unsigned int n_rows>
   struct GradientLayout
   {
     static constexpr unsigned int N     = Material::block_size;
-    static constexpr unsigned int n_in  = dim * dim;
+    static constexpr unsigned int n_in  = 4;
     static constexpr unsigned int n_out = n_rows;
 
-    explicit GradientLayout(const Weights<dim> &weights)
+    explicit GradientLayout(const Weights<2> &weights)
       : stencil(weights.background_grid())
     {}
 
     void
-    gather(const PointWeights<dim> &w,
-           const double            *u,
-           const unsigned int       l,
+    gather(const PointWeights<2> &w,
+           const double          *u,
+           const unsigned int     l,
            double (&in)[n_in][N]) const
     {
-      const Tensor<2, dim> gradient = stencil.gradient(w, u);
-      for (unsigned int c = 0; c < dim; ++c)
-        for (unsigned int d = 0; d < dim; ++d)
-          in[dim * c + d][l] = gradient[c][d];
+      const Tensor<2, 2> gradient = stencil.gradient(w, u);
+      for (unsigned int c = 0; c < 2; ++c)
+        for (unsigned int d = 0; d < 2; ++d)
+          in[2 * c + d][l] = gradient[c][d];
     }
 
     void
-    scatter(const PointWeights<dim> &w,
+    scatter(const PointWeights<2> &w,
             const double (&out)[n_out][N],
             const unsigned int l,
             double            *f) const
     {
-      Tensor<2, dim> P;
-      for (unsigned int c = 0; c < dim; ++c)
-        for (unsigned int d = 0; d < dim; ++d)
-          P[c][d] = out[stress_row<dim, n_rows>(c, d)][l];
+      Tensor<2, 2> P;
+      for (unsigned int c = 0; c < 2; ++c)
+        for (unsigned int d = 0; d < 2; ++d)
+          P[c][d] = out[stress_row<2, n_rows>(c, d)][l];
       stencil.scatter_gradient(w, P, f);
     }
 
     void
-    add_diagonal(const PointWeights<dim> &w,
+    add_diagonal(const PointWeights<2> &w,
                  const double (&A)[n_out][n_in][N],
                  const unsigned int l,
                  double            *f) const
     {
       // C[c]: what A does to one component alone.
-      Tensor<2, dim> C[dim];
-      for (unsigned int c = 0; c < dim; ++c)
-        for (unsigned int d = 0; d < dim; ++d)
-          for (unsigned int e = 0; e < dim; ++e)
-            C[c][d][e] = A[stress_row<dim, n_rows>(c, d)][dim * c + e][l];
+      Tensor<2, 2> C[2];
+      for (unsigned int c = 0; c < 2; ++c)
+        for (unsigned int d = 0; d < 2; ++d)
+          for (unsigned int e = 0; e < 2; ++e)
+            C[c][d][e] = A[stress_row<2, n_rows>(c, d)][2 * c + e][l];
       stencil.scatter_quadratic(w, C, f);
     }
 
-    const Stencil<dim> stencil;
+    const Stencil<2> stencil;
   };
 
 
   /// The same for groups of points (see GroupedTangents).
-  template <unsigned int n_rows>
+  template <typename L, unsigned int n_rows>
   struct GroupGradientLayout
   {
+    using Lanes  = L;
+    using Group  = PointGroup<Lanes>;
+    using Number = typename LaneTraits<Lanes>::Number;
+
     static constexpr unsigned int n_in  = 9;
     static constexpr unsigned int n_out = n_rows;
 
@@ -91,13 +95,13 @@ namespace Waker
     {}
 
     void
-    gather(const PointGroup &w, const float *u, Lanes *in) const
+    gather(const Group &w, const Number *u, Lanes *in) const
     {
       stencil.gradient(w, u, in);
     }
 
     void
-    scatter(const PointGroup &w, const Lanes *out, float *f) const
+    scatter(const Group &w, const Lanes *out, Number *f) const
     {
       Lanes P[9];
       for (unsigned int c = 0; c < 3; ++c)
@@ -107,7 +111,7 @@ namespace Waker
     }
 
     void
-    add_diagonal(const PointGroup &w, const Lanes *A, float *f) const
+    add_diagonal(const Group &w, const Lanes *A, Number *f) const
     {
       stencil.scatter_of_gradients(
         w,
@@ -124,7 +128,7 @@ namespace Waker
         f);
     }
 
-    const GroupStencil stencil;
+    const GroupStencil<Lanes> stencil;
   };
 } // namespace Waker
 

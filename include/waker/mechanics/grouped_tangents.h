@@ -12,12 +12,12 @@ namespace Waker
 {
   /**
    * The derivatives of the points' forces in 3D, group by group of points
-   * around a node (mapping/point_groups.h), in single precision: what a Krylov
-   * method needs of a product is a direction, and its time is that of the
-   * memory it reads. The residual, which says what has converged, is in double
-   * precision.
+   * around a node (mapping/point_groups.h), with numbers as the layout has
+   * them. Single precision takes half the time, which is that of the memory,
+   * and is enough: what a Krylov method needs of a product is a direction. The
+   * residual, which says what has converged, is in double precision.
    *
-   * The layout has, as one of LayoutTangents,
+   * The layout has, as one of BlockTangents,
    *   n_in, n_out              how many numbers a point gathers and scatters,
    *   gather(group, u, in)     in[.] from the nodes' u,
    *   scatter(group, out, f)   the nodes' f from out[.],
@@ -28,6 +28,10 @@ namespace Waker
   class GroupedTangents : public PointTangents<3>
   {
   public:
+    using Lanes                           = typename Layout::Lanes;
+    using Number                          = typename LaneTraits<Lanes>::Number;
+    static constexpr unsigned int n_lanes = LaneTraits<Lanes>::n;
+
     void
     reinit(const StressUpdate<3>   &stress_update,
            const MaterialPoints<3> &points,
@@ -58,7 +62,7 @@ namespace Waker
         }
 
       const Layout layout(weights);
-      result.assign(diagonal.locally_owned_size(), 0.f);
+      result.assign(diagonal.locally_owned_size(), Number(0));
       for (std::size_t g = 0; g < groups.size(); ++g)
         layout.add_diagonal(groups[g], tangents[g].A, result.data());
       std::copy(result.begin(), result.end(), diagonal.begin());
@@ -71,7 +75,7 @@ namespace Waker
     {
       const Layout layout(weights);
       direction.assign(u, u + result.size());
-      std::fill(result.begin(), result.end(), 0.f);
+      std::fill(result.begin(), result.end(), Number(0));
       for (std::size_t g = 0; g < groups.size(); ++g)
         {
           Lanes in[Layout::n_in], out[Layout::n_out];
@@ -97,21 +101,31 @@ namespace Waker
       Lanes A[n_entries];
     };
 
-    PointGroups                groups;
-    std::vector<GroupTangent>  tangents;
-    mutable std::vector<float> direction, result; // of a product
+    PointGroups<Lanes>          groups;
+    std::vector<GroupTangent>   tangents;
+    mutable std::vector<Number> direction, result; // of a product
   };
 
 
-  /// The tangents of a motion: group by group in 3D, by blocks in 2D.
-  template <int dim, typename Layout, typename GroupLayout>
+  /// The tangents of a motion: group by group in 3D, in the precision that is
+  /// asked for; by blocks, and in double precision, in 2D.
+  template <int dim, typename Layout, template <typename> class GroupLayout>
   std::unique_ptr<PointTangents<dim>>
-  make_layout_tangents()
+  make_layout_tangents(const Precision precision)
   {
-    if constexpr (dim == 3)
-      return std::make_unique<GroupedTangents<GroupLayout>>();
+    if constexpr (dim == 2)
+      return std::make_unique<BlockTangents<Layout>>();
     else
-      return std::make_unique<LayoutTangents<dim, Layout>>();
+      switch (precision)
+        {
+          case Precision::single_precision:
+            return std::make_unique<
+              GroupedTangents<GroupLayout<SingleLanes>>>();
+          case Precision::double_precision:
+            return std::make_unique<
+              GroupedTangents<GroupLayout<DoubleLanes>>>();
+        }
+    return nullptr;
   }
 } // namespace Waker
 

@@ -70,7 +70,7 @@ namespace Waker
                double                    *A) const override;
 
     std::unique_ptr<PointTangents<dim>>
-    make_tangents() const override;
+    make_tangents(const Precision precision) const override;
 
   private:
     std::vector<Tensor<2, dim>>       gradients; // of the increment

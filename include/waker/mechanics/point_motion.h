@@ -16,6 +16,14 @@ namespace Waker
   class PointTangents;
 
 
+  /// Of the numbers in products with a tangent.
+  enum class Precision
+  {
+    single_precision,
+    double_precision
+  };
+
+
   /// Sums over the points, of the last evaluation.
   struct StressReport
   {
@@ -119,9 +127,10 @@ namespace Waker
                const Material::Block     *end,
                double                    *A) const = 0;
 
-    /// Storage for the derivatives of all points, and their product.
+    /// Storage for the derivatives of all points, and their product. Single
+    /// precision is there in 3D only: it does not pay in 2D.
     virtual std::unique_ptr<PointTangents<dim>>
-    make_tangents() const = 0;
+    make_tangents(const Precision precision) const = 0;
 
     /// Is the dilatation that of the cells' centres? An element's stiffness
     /// (DoubleMappedTangent) takes its own from there, too.

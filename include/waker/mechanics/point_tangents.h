@@ -36,24 +36,24 @@ namespace Waker
 
 
   /**
-   * The loop over blocks of points for a layout, which has
+   * In 2D: the loop over blocks of points for a layout, which has
    *   n_in, n_out             how many numbers a point gathers and scatters,
    *   gather(w, u, l, in)     in[.][l] from the nodes' u,
    *   scatter(w, out, l, f)   the nodes' f from out[.][l],
    *   add_diagonal(w, A, l, f),
    * and A[o][i][l] = d out_o / d in_i of point l between them.
    */
-  template <int dim, typename Layout>
-  class LayoutTangents : public PointTangents<dim>
+  template <typename Layout>
+  class BlockTangents : public PointTangents<2>
   {
   public:
     static constexpr unsigned int N = Material::block_size;
 
     void
-    reinit(const StressUpdate<dim>   &stress_update,
-           const MaterialPoints<dim> &points,
-           const Weights<dim>        &weights,
-           NodalVector               &diagonal) override
+    reinit(const StressUpdate<2>   &stress_update,
+           const MaterialPoints<2> &points,
+           const Weights<2>        &weights,
+           NodalVector             &diagonal) override
     {
       const Layout layout(weights);
       blocks.resize((points.n_points() + N - 1) / N);
@@ -72,9 +72,9 @@ namespace Waker
     }
 
     void
-    vmult_add(const Weights<dim> &weights,
-              const double       *u,
-              double             *f) const override
+    vmult_add(const Weights<2> &weights,
+              const double     *u,
+              double           *f) const override
     {
       const Layout layout(weights);
       double       in[Layout::n_in][N] = {}, out[Layout::n_out][N];

@@ -71,7 +71,7 @@ namespace Waker
                double                    *A) const override;
 
     std::unique_ptr<PointTangents<dim>>
-    make_tangents() const override;
+    make_tangents(const Precision precision) const override;
 
   protected:
     /// The gradients of a range, point last; unused entries are zero.
@@ -147,7 +147,7 @@ namespace Waker
                double                    *A) const override;
 
     std::unique_ptr<PointTangents<dim>>
-    make_tangents() const override;
+    make_tangents(const Precision precision) const override;
 
     bool
     has_mean_dilatation() const override
