@@ -146,7 +146,7 @@ namespace WakerBenchmarks
               const Surface &surface  = surfaces.chains();
               const double   detected = cpu_time();
               water.find_wetted_segments(surface);
-              water.add_nodal_forces(realisation.view().nodes.mass,
+              water.add_nodal_forces(realisation.view().scene.nodes.mass,
                                      the_case.full_node_mass,
                                      nodes.external_force);
               benchmark::DoNotOptimize(water.resultant());

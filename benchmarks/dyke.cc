@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "dyke.h"
 
+#include <waker/case/parameters.h>
 #include <waker/program/parameter_reader.h>
-#include <waker/simulation/parameters.h>
 
 #include <map>
 #include <stdexcept>

@@ -5,12 +5,12 @@
 #include <deal.II/lac/diagonal_matrix.h>
 #include <deal.II/lac/solver_gmres.h>
 
+#include <waker/case/scene.h>
 #include <waker/mapping/transfer.h>
 #include <waker/mechanics/consistent_tangent.h>
 #include <waker/mechanics/double_mapped_tangent.h>
 #include <waker/mechanics/soil.h>
 #include <waker/mechanics/system_operator.h>
-#include <waker/simulation/scene.h>
 
 #include "dyke.h"
 #include <functional>

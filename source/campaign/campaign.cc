@@ -9,11 +9,11 @@
 #include <waker/campaign/realisation_runner.h>
 #include <waker/campaign/schedule.h>
 #include <waker/campaign/snapshots.h>
+#include <waker/case/sizes.h>
 #include <waker/output/files.h>
 #include <waker/output/output_folder.h>
 #include <waker/output/summary.h>
 #include <waker/simulation/describe.h>
-#include <waker/simulation/sizes.h>
 #include <waker/statistics/report.h>
 #include <waker/store/campaign_files.h>
 #include <waker/store/journal.h>

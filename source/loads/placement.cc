@@ -22,8 +22,8 @@ namespace Waker
 
       const Facets<dim> &
       surface(const std::vector<Point<dim>> &,
-              SurfaceFinder<dim> &finder,
-              const std::string  &path) override
+              const SurfaceFinder<dim> &finder,
+              const std::string        &path) override
       {
         return finder.facets(which, path + "/Method");
       }
@@ -44,7 +44,7 @@ namespace Waker
 
       const Facets<dim> &
       surface(const std::vector<Point<dim>> &vertices,
-              SurfaceFinder<dim> &,
+              const SurfaceFinder<dim> &,
               const std::string &) override
       {
         user_surface->to_facets(vertices, facets);
@@ -76,7 +76,7 @@ namespace Waker
 
       const Facets<dim> &
       surface(const std::vector<Point<dim>> &vertices,
-              SurfaceFinder<dim>            &finder,
+              const SurfaceFinder<dim>      &finder,
               const std::string             &path) override
       {
         return meant->surface(vertices, finder, path);

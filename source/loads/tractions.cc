@@ -100,7 +100,7 @@ namespace Waker
   void
   Tractions<dim>::find(const MaterialPoints<dim>  &points,
                        const SurfaceVertices<dim> &vertices,
-                       SurfaceFinder<dim>         &finder)
+                       const SurfaceFinder<dim>   &finder)
   {
     bool sorted = false;
     for (std::size_t i = 0; i < items.size(); ++i)

@@ -44,7 +44,7 @@ namespace Waker
 
   template <int dim>
   void
-  WaterLoad<dim>::find(SurfaceFinder<dim> &surfaces)
+  WaterLoad<dim>::find(const SurfaceFinder<dim> &surfaces)
   {
     if (!surfaces.is_spatial())
       find_wetted_segments(surfaces.chains());

@@ -19,13 +19,13 @@ namespace Waker
       void
       observe(const StepView<dim> &view, Row &row) override
       {
-        row.add("Time step (s)", view.dt);
+        row.add("Time step (s)", view.state.last_dt);
         row.add("Newton iterations", view.report.newton_iterations);
         row.add("Linear iterations", view.report.linear_iterations);
         row.add("Residual",
                 view.report.residuals.empty() ? 0.
                                               : view.report.residuals.back());
-        row.add("Unconverged steps so far", view.unconverged_steps);
+        row.add("Unconverged steps so far", view.state.unconverged_steps);
       }
     };
 
@@ -37,7 +37,7 @@ namespace Waker
       void
       observe(const StepView<dim> &view, Row &row) override
       {
-        const DykeGeometry &dyke = view.failure.geometry;
+        const DykeGeometry &dyke = view.state.failure.geometry;
         row.add("Dyke height H (m)", dyke.height);
         row.add("Dyke width W (m)", dyke.width);
         row.add("Parts at the water level", dyke.parts.size());
@@ -55,7 +55,7 @@ namespace Waker
       void
       observe(const StepView<dim> &view, Row &row) override
       {
-        const EnergyAccount &e = view.energy;
+        const EnergyAccount &e = view.state.energy;
         row.add("Kinetic energy (kJ)", e.kinetic);
         row.add("Elastic energy (kJ)", e.elastic);
         row.add("Plastic dissipation (kJ)", e.dissipation);
@@ -86,17 +86,17 @@ namespace Waker
       void
       observe(const StepView<dim> &view, Row &row) override
       {
-        const Tensor<1, dim> p = momentum(view.points);
+        const Tensor<1, dim> p = momentum(view.state.points);
         for (unsigned int d = 0; d < dim; ++d)
           row.add(names[0][d], p[d]);
         // Of a step: there has been none at the start.
-        const bool known = view.step > 0;
+        const bool known = view.state.step > 0;
         for (unsigned int d = 0; d < dim; ++d)
           row.add(names[1][d],
                   known ? view.report.reaction[d]
                         : std::numeric_limits<double>::quiet_NaN());
         for (unsigned int d = 0; d < 2; ++d)
-          row.add(names[2][d], view.water.force[d]);
+          row.add(names[2][d], view.scene.water_resultant.force[d]);
       }
 
     private:
@@ -112,11 +112,11 @@ namespace Waker
       void
       observe(const StepView<dim> &view, Row &row) override
       {
-        const std::vector<std::string> &names = view.walls.names();
+        const std::vector<std::string> &names = view.scene.walls.names();
         for (unsigned int w = 0; w < names.size(); ++w)
           {
             const Tensor<1, dim> force =
-              view.walls.force(w, view.wall_tractions);
+              view.scene.walls.force(w, view.state.wall_tractions);
             for (unsigned int d = 0; d < dim; ++d)
               row.add("Wall " + names[w] + " " + axis[d] + " (kN)", force[d]);
           }
@@ -132,10 +132,12 @@ namespace Waker
       void
       observe(const StepView<dim> &view, Row &row) override
       {
-        for (std::size_t i = 0; i < view.tractions.size(); ++i)
+        const Tractions<dim> &tractions = view.scene.tractions;
+        for (std::size_t i = 0; i < tractions.size(); ++i)
           {
-            const auto resultant = view.tractions.resultant(i, view.nodes.mass);
-            const std::string name = "Traction " + view.tractions.view(i).name;
+            const auto resultant =
+              tractions.resultant(i, view.scene.nodes.mass);
+            const std::string name = "Traction " + tractions.view(i).name;
             for (unsigned int d = 0; d < dim; ++d)
               row.add(name + " " + axis[d] + " (kN)", resultant.force[d]);
             row.add(name + (dim == 2 ? " length (m)" : " area (m^2)"),
@@ -165,18 +167,19 @@ namespace Waker
       void
       observe(const StepView<dim> &view, Row &row) override
       {
-        if (view.flow == nullptr)
+        if (!view.the_case.flow.is_used())
           return;
-        const FlowAccount<dim> &flow = *view.flow;
-        const double            mass =
-          std::accumulate(view.points.mass.begin(), view.points.mass.end(), 0.);
-        row.add("Points", view.points.n_points());
+        const FlowAccount<dim> &flow = view.state.flow;
+        const double mass = std::accumulate(view.state.points.mass.begin(),
+                                            view.state.points.mass.end(),
+                                            0.);
+        row.add("Points", view.state.points.n_points());
         row.add("Mass (Mg)", mass);
         row.add("Mass in (Mg)", flow.mass_in);
         row.add("Mass out (Mg)", flow.mass_out);
         row.add("Mass remainder (Mg)",
                 mass - flow.mass_start - flow.mass_in + flow.mass_out);
-        const Tensor<1, dim> p         = momentum(view.points);
+        const Tensor<1, dim> p         = momentum(view.state.points);
         const Tensor<1, dim> remainder = p - flow.momentum_start -
                                          flow.impulse - flow.momentum_in +
                                          flow.momentum_out;
@@ -188,8 +191,8 @@ namespace Waker
           row.add(names[2][d], flow.impulse[d]);
         for (unsigned int d = 0; d < dim; ++d)
           row.add(names[3][d], remainder[d]);
-        row.add("Energy in (kJ)", view.energy.inflow);
-        row.add("Energy out (kJ)", view.energy.outflow);
+        row.add("Energy in (kJ)", view.state.energy.inflow);
+        row.add("Energy out (kJ)", view.state.energy.outflow);
       }
 
     private:

@@ -2,10 +2,10 @@
 #include <waker/base/log.h>
 #include <waker/base/sizes.h>
 #include <waker/base/version.h>
+#include <waker/case/sizes.h>
 #include <waker/mechanics/time_scheme.h>
 #include <waker/simulation/describe.h>
 #include <waker/simulation/plausibility.h>
-#include <waker/simulation/sizes.h>
 
 #include <cmath>
 #include <cstdio>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <waker/observers/dyke_geometry.h>
-#include <waker/observers/soil_at_sides.h>
+#include <waker/measures/dyke_geometry.h>
+#include <waker/measures/soil_at_sides.h>
 #include <waker/simulation/realisation.h>
 
 #include <algorithm>
@@ -35,11 +35,51 @@ namespace Waker
   StopReason
   Realisation<dim>::look()
   {
-    const Parameters &parameters = the_case->parameters;
-    scene.set(*state); // nodes, surface, loads
+    scene.map(state->points);    // to the nodes: 2.31, 2.32
+    scene.find_surfaces(*state); // where water and tractions act
+    scene.set_loads(*state);     // weight, water, tractions: 2.27, 3.4
+    scene.meet_walls(*state);
+    measure(); // H, W, bodies that have moved
+    return decide(the_case->parameters.stop,
+                  state->failure,
+                  state->time,
+                  the_case->parameters.time.end_time,
+                  the_case->parameters.time.ramp_duration,
+                  the_case->last_load_change,
+                  state->mean_plastic_strain,
+                  state->displacement_rate,
+                  state->rest);
+  }
 
+
+  template <int dim>
+  void
+  Realisation<dim>::advance()
+  {
+    const double t     = state->time;
+    NodalState  &nodes = scene.nodes;
+    scene.begin_step();
+    const double dt =
+      control.solve(scheme->time_step(state->points), [&](const double tried) {
+        scene.set_end_loads(state->points, t + tried); // weight, water, loads
+        return report = scheme->solve(state->points, t, tried, nodes); // 2.23
+      });
+    scheme->to_points(t, dt, nodes, state->points, report); // stress, motion
+    report.held_domains = carried.move(nodes, *state);      // domains, surfaces
+    report.check_finite(t + dt);
+    state->energy += report;
+    control.accept(dt, report);                         // time goes on
+    the_case->flow.exchange(nodes, report, dt, *state); // inflow, outflow
+  }
+
+
+  template <int dim>
+  void
+  Realisation<dim>::measure()
+  {
     // The width is measured at one level all the time: a rise of the water is
     // no failure.
+    const Parameters &parameters = the_case->parameters;
     state->failure.update(measure_dyke(scene.surfaces.chains(),
                                        the_case->measuring_level),
                           state->time,
@@ -51,15 +91,6 @@ namespace Waker
                                 parameters.water.inner_direction(),
                                 state->time,
                                 parameters.initial_failure.limits);
-    return decide(parameters.stop,
-                  state->failure,
-                  state->time,
-                  parameters.time.end_time,
-                  parameters.time.ramp_duration,
-                  the_case->last_load_change,
-                  state->mean_plastic_strain,
-                  state->displacement_rate,
-                  state->rest);
   }
 
 
@@ -100,54 +131,10 @@ namespace Waker
 
 
   template <int dim>
-  void
-  Realisation<dim>::advance()
-  {
-    const double t     = state->time;
-    NodalState  &nodes = scene.nodes;
-    scene.begin_step();
-    const double dt =
-      control.solve(scheme->time_step(state->points), [&](const double tried) {
-        scene.set_end_loads(state->points, t + tried); // weight, water, loads
-        return report = scheme->solve(state->points, t, tried, nodes); // 2.23
-      });
-    scheme->to_points(t, dt, nodes, state->points, report); // stress, motion
-    report.held_domains = carried.move(nodes, *state);      // domains, surfaces
-    report.check_finite(t + dt);
-    state->energy += report;
-    control.accept(dt, report);                         // time goes on
-    the_case->flow.exchange(nodes, report, dt, *state); // inflow, outflow
-  }
-
-
-  template <int dim>
   StepView<dim>
-  Realisation<dim>::view()
+  Realisation<dim>::view() const
   {
-    const Facets<dim> *const facets =
-      scene.surfaces.is_spatial() ? &scene.surfaces.facets() : nullptr;
-    return {state->step,
-            state->time,
-            state->last_dt,
-            the_case->grid,
-            state->points,
-            scene.nodes,
-            scene.surfaces.proximity_field(),
-            scene.surfaces.last_chains(),
-            scene.water.wetted_segments(),
-            scene.water_resultant,
-            scene.water.now(),
-            state->failure,
-            report,
-            state->energy,
-            state->unconverged_steps,
-            the_case->flow.is_used() ? &state->flow : nullptr,
-            scene.tractions,
-            scene.walls,
-            state->wall_tractions,
-            scene.water_level(state->time),
-            facets,
-            scene.water.wetted_facets()};
+    return {*the_case, *state, scene, report};
   }
 
 

@@ -196,17 +196,18 @@ namespace Waker
   void
   Recorder<dim>::record(const StepView<dim> &view, const bool last)
   {
-    statistics->begin_row(view.step);
+    const double time = view.state.time;
+    statistics->begin_row(view.state.step);
     StatisticsRow row(*statistics);
-    row.add("Time (s)", view.time);
+    row.add("Time (s)", time);
     for (const auto &observer : observers)
       observer->observe(view, row);
     statistics->end_row();
 
-    if (last || is_due(view.time, next_fields))
+    if (last || is_due(time, next_fields))
       {
         write_fields(view);
-        next_fields = next_multiple(view.time, parameters->output.interval);
+        next_fields = next_multiple(time, parameters->output.interval);
         statistics->flush();
       }
   }
@@ -217,71 +218,72 @@ namespace Waker
   Recorder<dim>::write_fields(const StepView<dim> &view)
   {
     const OutputParameters &output = parameters->output;
+    const State<dim>       &state  = view.state;
+    const Scene<dim>       &scene  = view.scene;
+    const double            time   = state.time;
     if (output.particles)
       {
         PointVectors<dim> loads;
-        if (!view.points.load.empty())
-          loads.push_back({"load", "kN", &view.points.load});
-        for (std::size_t i = 0; i < view.tractions.size(); ++i)
-          if (!view.tractions.view(i).point_loads->empty())
-            loads.push_back({"load_" + view.tractions.view(i).name,
-                             "kN",
-                             view.tractions.view(i).point_loads});
-        particles.add(view.time,
-                      write_particles(
-                        view.points, view.time, particles.next_path(), loads));
+        if (!state.points.load.empty())
+          loads.push_back({"load", "kN", &state.points.load});
+        for (std::size_t i = 0; i < scene.tractions.size(); ++i)
+          {
+            const auto traction = scene.tractions.view(i);
+            if (!traction.point_loads->empty())
+              loads.push_back(
+                {"load_" + traction.name, "kN", traction.point_loads});
+          }
+        particles.add(
+          time,
+          write_particles(state.points, time, particles.next_path(), loads));
       }
     if (output.surface)
       {
         const std::string path = surfaces.next_path();
-        surfaces.add(view.time,
-                     view.facets != nullptr ? write_surface(*view.facets,
-                                                            view.wetted_facets,
-                                                            view.standing_water,
-                                                            view.time,
-                                                            path)
-                                            : write_surface(view.surface,
-                                                            view.wetted,
-                                                            view.standing_water,
-                                                            view.time,
-                                                            path));
+        surfaces.add(time,
+                     scene.surfaces.is_spatial()
+                       ? write_surface(scene.surfaces.facets(),
+                                       scene.water.wetted_facets(),
+                                       scene.water.now(),
+                                       time,
+                                       path)
+                       : write_surface(scene.surfaces.chains(),
+                                       scene.water.wetted_segments(),
+                                       scene.water.now(),
+                                       time,
+                                       path));
       }
-    if (output.surface && view.tractions.size() > 0)
-      {
-        tractions.add(view.time,
-                      write_tractions(view.tractions,
-                                      view.time,
-                                      tractions.next_path()));
-      }
-    if (output.surface && !view.walls.empty())
-      {
-        walls.add(view.time,
-                  write_walls(view.walls,
-                              view.wall_tractions,
-                              view.time,
-                              walls.next_path()));
-      }
+    if (output.surface && scene.tractions.size() > 0)
+      tractions.add(
+        time, write_tractions(scene.tractions, time, tractions.next_path()));
+    if (output.surface && !scene.walls.empty())
+      walls.add(time,
+                write_walls(
+                  scene.walls, state.wall_tractions, time, walls.next_path()));
     if (output.grid)
       {
-        GridFields fields;
-        if (view.proximity_field.size() == view.nodes.mass.size())
-          fields.scalars.push_back(
-            {"proximity_field", "-", &view.proximity_field});
-        fields.vectors.push_back({"velocity", "m/s", &view.nodes.velocity});
+        const NodalState          &nodes = scene.nodes;
+        const std::vector<double> &field = scene.surfaces.proximity_field();
+        GridFields                 fields;
+        if (field.size() == nodes.mass.size())
+          fields.scalars.push_back({"proximity_field", "-", &field});
+        fields.vectors.push_back({"velocity", "m/s", &nodes.velocity});
         fields.vectors.push_back(
-          {"external_force", "kN", &view.nodes.external_force});
+          {"external_force", "kN", &nodes.external_force});
         fields.vectors.push_back(
-          {"internal_force", "kN", &view.nodes.internal_force});
-        fields.vectors.push_back({"increment", "m", &view.nodes.increment});
-        for (std::size_t i = 0; i < view.tractions.size(); ++i)
-          fields.vectors.push_back({"force_" + view.tractions.view(i).name,
-                                    "kN",
-                                    view.tractions.view(i).nodal_force});
-        grids.add(view.time,
-                  write_grid(view.grid,
-                             view.nodes.mass,
+          {"internal_force", "kN", &nodes.internal_force});
+        fields.vectors.push_back({"increment", "m", &nodes.increment});
+        for (std::size_t i = 0; i < scene.tractions.size(); ++i)
+          {
+            const auto traction = scene.tractions.view(i);
+            fields.vectors.push_back(
+              {"force_" + traction.name, "kN", traction.nodal_force});
+          }
+        grids.add(time,
+                  write_grid(view.the_case.grid,
+                             nodes.mass,
                              fields,
-                             view.time,
+                             time,
                              grids.next_path()));
       }
   }

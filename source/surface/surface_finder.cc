@@ -77,7 +77,7 @@ namespace Waker
 
   template <int dim>
   const Surface &
-  SurfaceFinder<dim>::chains()
+  SurfaceFinder<dim>::chains() const
   {
     return chains(found_by(parameters.method));
   }
@@ -85,15 +85,7 @@ namespace Waker
 
   template <int dim>
   const Surface &
-  SurfaceFinder<dim>::last_chains() const
-  {
-    return found_chains[parameters.method == SurfaceMethod::contour ? 1 : 0];
-  }
-
-
-  template <int dim>
-  const Surface &
-  SurfaceFinder<dim>::chains(const FoundSurface which)
+  SurfaceFinder<dim>::chains(const FoundSurface which) const
   {
     Assert(points != nullptr, ExcInternalError());
     const unsigned int i = which == FoundSurface::contour ? 1 : 0;
@@ -114,7 +106,8 @@ namespace Waker
 
   template <int dim>
   const Facets<dim> &
-  SurfaceFinder<dim>::facets(const FoundSurface which, const std::string &path)
+  SurfaceFinder<dim>::facets(const FoundSurface which,
+                             const std::string &path) const
   {
     Assert(points != nullptr, ExcInternalError());
     Found &surface = found[which];
@@ -155,6 +148,8 @@ namespace Waker
   SurfaceFinder<dim>::proximity_field() const
   {
     static const std::vector<double> none;
+    if (parameters.method == SurfaceMethod::proximity_field)
+      facets();
     return has_field ? proximity.nodal_values() : none;
   }
 

@@ -20,8 +20,8 @@ import tempfile
 ROOMS = [
     "base", "grid", "particles", "materials", "nodes", "mapping",
     "surface/shape", "surface/boxes", "surface", "loads", "mechanics",
-    "observers", "control", "output", "simulation", "fields", "store",
-    "statistics", "campaign", "program",
+    "measures", "control", "output", "case", "observers", "simulation",
+    "fields", "store", "statistics", "campaign", "program",
 ]
 # Rooms that may include less than all that is above them.
 ONLY = {"fields": ["base"]}

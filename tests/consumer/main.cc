@@ -2,10 +2,10 @@
 // A material of the user's own: linear elastic, but it carries no more mean
 // tension than 1 kPa. And mistakes in input, which a program can catch.
 #include <waker/base/expression.h>
+#include <waker/case/case.h>
 #include <waker/materials/linear_elastic.h>
 #include <waker/particles/material_points.h>
 #include <waker/program/parameter_reader.h>
-#include <waker/simulation/case.h>
 
 #include <cmath>
 #include <cstdio>

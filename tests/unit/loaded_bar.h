@@ -2,8 +2,8 @@
 #ifndef waker_tests_loaded_bar_h
 #define waker_tests_loaded_bar_h
 
-#include <waker/simulation/case.h>
-#include <waker/simulation/scene.h>
+#include <waker/case/case.h>
+#include <waker/case/scene.h>
 
 #include "named.h"
 #include "output_temporary_folder.h"

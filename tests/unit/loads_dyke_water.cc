@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/case/case.h>
+#include <waker/case/scene.h>
 #include <waker/program/parameter_reader.h>
-#include <waker/simulation/case.h>
-#include <waker/simulation/scene.h>
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/case/case.h>
+#include <waker/case/scene.h>
 #include <waker/particles/removal.h>
-#include <waker/simulation/case.h>
-#include <waker/simulation/scene.h>
 
 #include "named.h"
 #include "output_temporary_folder.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
-#include <waker/simulation/scene.h>
+#include <waker/case/scene.h>
 
 #include "loaded_bar.h"
 #include "named.h"

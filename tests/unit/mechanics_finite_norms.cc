@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/case/scene.h>
 #include <waker/mechanics/gmres.h>
 #include <waker/simulation/realisation.h>
-#include <waker/simulation/scene.h>
 
 #include "campaign_random_dyke.h"
 #include <gtest/gtest.h>

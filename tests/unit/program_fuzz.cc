@@ -4,9 +4,9 @@
 #include <waker/base/errors.h>
 #include <waker/campaign/input.h>
 #include <waker/campaign/random_properties.h>
+#include <waker/case/case.h>
 #include <waker/program/declared_parameters.h>
 #include <waker/program/parameter_reader.h>
-#include <waker/simulation/case.h>
 
 #include <fstream>
 #include <gtest/gtest.h>

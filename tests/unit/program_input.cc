@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/case/parameters.h>
 #include <waker/program/parameter_reader.h>
-#include <waker/simulation/parameters.h>
 
 #include "program_case.h"
 #include <gtest/gtest.h>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/choice.h>
 #include <waker/base/expression_pattern.h>
+#include <waker/case/parameters.h>
 #include <waker/program/command_line.h>
 #include <waker/program/declared_parameters.h>
 #include <waker/program/parameter_printer.h>
 #include <waker/program/parameter_reader.h>
 #include <waker/program/suggestions.h>
-#include <waker/simulation/parameters.h>
 
 #include "program_case.h"
 #include "user_errors.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/case/scene.h>
 #include <waker/simulation/realisation.h>
-#include <waker/simulation/scene.h>
 
 #include "loaded_bar.h"
 #include <cmath>
@@ -117,7 +117,7 @@ namespace simulation_loads
     Realisation<2> realisation(the_case, state);
     realisation.look();
     const auto pull = [&]() {
-      const NodalVector &f   = realisation.view().nodes.external_force;
+      const NodalVector &f   = realisation.view().scene.nodes.external_force;
       double             sum = 0.;
       // On the right half; the other end's load is against the wall.
       for (unsigned int i = 0; i < the_case.grid.n_nodes(); ++i)
@@ -144,16 +144,15 @@ namespace simulation_loads
     Realisation<2> realisation(the_case, state);
     EXPECT_EQ(realisation.look(), StopReason::end_time);
     // Internal and external force of the first files: in balance.
-    const StepView<2> view    = realisation.view();
+    const NodalState &nodes   = realisation.view().scene.nodes;
     double            largest = 0.;
     for (unsigned int i = 0; i < the_case.grid.n_dofs(); i += 2)
       {
-        EXPECT_NEAR(view.nodes.internal_force.local_element(i),
-                    view.nodes.external_force.local_element(i),
+        EXPECT_NEAR(nodes.internal_force.local_element(i),
+                    nodes.external_force.local_element(i),
                     1e-13);
         largest =
-          std::max(largest,
-                   std::abs(view.nodes.internal_force.local_element(i)));
+          std::max(largest, std::abs(nodes.internal_force.local_element(i)));
       }
     EXPECT_GT(largest, 0.1);
   }

@@ -63,8 +63,9 @@ namespace simulation_riding_load
       for (unsigned int step = 0; step < n_steps; ++step)
         {
           EXPECT_EQ(realisation.look(), StopReason::none);
-          const StepView<2> view = realisation.view();
-          forces.push_back(view.tractions.resultant(0, view.nodes.mass).force);
+          const Scene<2> &scene = realisation.view().scene;
+          forces.push_back(
+            scene.tractions.resultant(0, scene.nodes.mass).force);
           realisation.advance();
         }
       return forces;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/case/sizes.h>
 #include <waker/simulation/plausibility.h>
-#include <waker/simulation/sizes.h>
 
 #include "campaign_random_dyke.h"
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/case/scene.h>
 #include <waker/program/parameter_reader.h>
 #include <waker/simulation/realisation.h>
-#include <waker/simulation/scene.h>
 
 #include "user_errors.h"
 #include <cmath>

@@ -2,9 +2,9 @@
 #ifndef waker_campaign_field_moments_h
 #define waker_campaign_field_moments_h
 
+#include <waker/case/case.h>
+#include <waker/case/initial_properties.h>
 #include <waker/fields/parameters.h>
-#include <waker/simulation/case.h>
-#include <waker/simulation/initial_properties.h>
 
 #include <optional>
 #include <string>

@@ -3,8 +3,8 @@
 #define waker_campaign_input_h
 
 #include <waker/campaign/campaign_parameters.h>
+#include <waker/case/parameters.h>
 #include <waker/fields/parameters.h>
-#include <waker/simulation/parameters.h>
 #include <waker/statistics/analysis_parameters.h>
 
 #include <string>

@@ -2,10 +2,10 @@
 #ifndef waker_campaign_random_properties_h
 #define waker_campaign_random_properties_h
 
+#include <waker/case/case.h>
+#include <waker/case/state.h>
 #include <waker/fields/marginal.h>
 #include <waker/fields/random_fields.h>
-#include <waker/simulation/case.h>
-#include <waker/simulation/state.h>
 
 #include <cstdint>
 #include <memory>

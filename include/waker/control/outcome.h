@@ -2,7 +2,7 @@
 #ifndef waker_control_outcome_h
 #define waker_control_outcome_h
 
-#include <waker/observers/failure_record.h>
+#include <waker/measures/failure_record.h>
 
 #include <string>
 #include <vector>

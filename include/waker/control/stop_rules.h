@@ -3,7 +3,7 @@
 #define waker_control_stop_rules_h
 
 #include <waker/control/parameters.h>
-#include <waker/observers/failure_record.h>
+#include <waker/measures/failure_record.h>
 
 #include <string>
 

@@ -36,7 +36,7 @@ namespace Waker
      */
     virtual const Facets<dim> &
     surface(const std::vector<Point<dim>> &vertices,
-            SurfaceFinder<dim>            &finder,
+            const SurfaceFinder<dim>      &finder,
             const std::string             &path) = 0;
 
     /// Does the material carry vertices of it?

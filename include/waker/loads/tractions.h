@@ -97,7 +97,7 @@ namespace Waker
     void
     find(const MaterialPoints<dim>  &points,
          const SurfaceVertices<dim> &vertices,
-         SurfaceFinder<dim>         &finder);
+         const SurfaceFinder<dim>   &finder);
 
     /**
      * Let those that follow the soil ride from now on on the parts that

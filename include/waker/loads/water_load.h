@@ -105,7 +105,7 @@ namespace Waker
 
     /// Find what is wet, on the surface that is found for it.
     void
-    find(SurfaceFinder<dim> &surfaces);
+    find(const SurfaceFinder<dim> &surfaces);
 
     /// The wetted part of the surface, from the toe up. Empty without water.
     void

@@ -2,7 +2,7 @@
 #ifndef waker_simulation_attempts_h
 #define waker_simulation_attempts_h
 
-#include <waker/simulation/case.h>
+#include <waker/case/case.h>
 
 #include <memory>
 #include <vector>

@@ -2,8 +2,8 @@
 #ifndef waker_simulation_carried_h
 #define waker_simulation_carried_h
 
-#include <waker/simulation/case.h>
-#include <waker/simulation/state.h>
+#include <waker/case/case.h>
+#include <waker/case/state.h>
 
 namespace Waker
 {

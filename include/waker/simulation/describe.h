@@ -2,9 +2,9 @@
 #ifndef waker_simulation_describe_h
 #define waker_simulation_describe_h
 
+#include <waker/case/case.h>
+#include <waker/case/state.h>
 #include <waker/control/outcome.h>
-#include <waker/simulation/case.h>
-#include <waker/simulation/state.h>
 
 #include <string>
 

@@ -2,8 +2,8 @@
 #ifndef waker_simulation_judge_trial_h
 #define waker_simulation_judge_trial_h
 
+#include <waker/case/parameters.h>
 #include <waker/control/outcome.h>
-#include <waker/simulation/parameters.h>
 #include <waker/simulation/trial_table.h>
 
 namespace Waker

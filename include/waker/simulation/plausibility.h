@@ -2,7 +2,7 @@
 #ifndef waker_simulation_plausibility_h
 #define waker_simulation_plausibility_h
 
-#include <waker/simulation/case.h>
+#include <waker/case/case.h>
 
 #include <string>
 #include <vector>

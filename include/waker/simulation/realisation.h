@@ -2,13 +2,13 @@
 #ifndef waker_simulation_realisation_h
 #define waker_simulation_realisation_h
 
+#include <waker/case/case.h>
+#include <waker/case/scene.h>
+#include <waker/case/state.h>
 #include <waker/control/outcome.h>
 #include <waker/mechanics/time_scheme.h>
 #include <waker/observers/observer.h>
 #include <waker/simulation/carried.h>
-#include <waker/simulation/case.h>
-#include <waker/simulation/scene.h>
-#include <waker/simulation/state.h>
 #include <waker/simulation/step_control.h>
 
 #include <memory>
@@ -45,15 +45,19 @@ namespace Waker
     Unrest
     unrest() const;
 
-    /// What look() has seen. Finds the surface if nothing has needed it yet.
+    /// What look() has seen.
     StepView<dim>
-    view();
+    view() const;
 
     /// The step that advance() would take next (s).
     double
     next_time_step() const;
 
   private:
+    /// What of the dyke fails: into the state's record.
+    void
+    measure();
+
     const Case<dim>                 *the_case;
     State<dim>                      *state;
     Scene<dim>                       scene;

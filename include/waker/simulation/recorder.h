@@ -2,14 +2,14 @@
 #ifndef waker_simulation_recorder_h
 #define waker_simulation_recorder_h
 
+#include <waker/case/parameters.h>
+#include <waker/case/state.h>
 #include <waker/control/outcome.h>
 #include <waker/observers/observer.h>
 #include <waker/output/checkpoint.h>
 #include <waker/output/pvd.h>
 #include <waker/output/statistics.h>
 #include <waker/output/summary.h>
-#include <waker/simulation/parameters.h>
-#include <waker/simulation/state.h>
 
 #include <memory>
 #include <string>

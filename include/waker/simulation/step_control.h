@@ -2,8 +2,8 @@
 #ifndef waker_simulation_step_control_h
 #define waker_simulation_step_control_h
 
+#include <waker/case/state.h>
 #include <waker/mechanics/time_scheme.h>
-#include <waker/simulation/state.h>
 
 namespace Waker
 {

@@ -3,8 +3,8 @@
 #define waker_store_record_h
 
 #include <waker/control/outcome.h>
-#include <waker/observers/failure_record.h>
-#include <waker/observers/moved_soil.h>
+#include <waker/measures/failure_record.h>
+#include <waker/measures/moved_soil.h>
 
 #include <cstdint>
 #include <optional>

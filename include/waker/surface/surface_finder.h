@@ -66,18 +66,14 @@ namespace Waker
     /// The chains of the surface that Surface/Method asks for, for water and
     /// observers; in 3D of the body's projection on the x-y plane.
     const Surface &
-    chains();
+    chains() const;
 
     /// The facets of the same surface.
     const Facets<dim> &
-    facets()
+    facets() const
     {
       return facets(found_by(parameters.method), "Surface/Method");
     }
-
-    /// The chains as they were found last.
-    const Surface &
-    last_chains() const;
 
     /**
      * The facets of a surface.
@@ -85,9 +81,9 @@ namespace Waker
      * @throws UserError if the body has no such surface
      */
     const Facets<dim> &
-    facets(const FoundSurface which, const std::string &path);
+    facets(const FoundSurface which, const std::string &path) const;
 
-    /// The proximity field as last computed; empty if it was not needed.
+    /// The proximity field; empty if no surface is found by it.
     const std::vector<double> &
     proximity_field() const;
 
@@ -99,22 +95,23 @@ namespace Waker
     };
 
     const Surface &
-    chains(const FoundSurface which);
+    chains(const FoundSurface which) const;
 
     BackgroundGrid<dim> const *grid;
     SurfaceParameters          parameters;
     ShapeFunctions             functions;
     const MaterialPoints<dim> *points = nullptr;
 
-    ProximityField<dim> proximity;
-    DomainContour<dim>  contour;
-    CellSurface<dim>    cells;
-    Holes               holes;
-
-    bool    has_chains[2] = {false, false}; // proximity field, contour
-    Surface found_chains[2];
-    std::map<FoundSurface, Found> found; // those asked for so far
-    bool                          has_field = false;
+    // What the points imply: work, done when it is first asked for.
+    mutable ProximityField<dim> proximity;
+    mutable DomainContour<dim>  contour;
+    mutable CellSurface<dim>    cells;
+    mutable Holes               holes;
+    // proximity field, contour
+    mutable bool                          has_chains[2] = {false, false};
+    mutable Surface                       found_chains[2];
+    mutable std::map<FoundSurface, Found> found; // those asked for so far
+    mutable bool                          has_field = false;
   };
 } // namespace Waker
 

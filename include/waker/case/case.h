@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_case_case_h
+#define waker_case_case_h
+
+#include <waker/case/flow.h>
+#include <waker/case/parameters.h>
+#include <waker/loads/tractions.h>
+#include <waker/mechanics/gravity_step.h>
+#include <waker/mechanics/stress_update.h>
+#include <waker/nodes/fixities.h>
+#include <waker/nodes/wall.h>
+#include <waker/particles/soil_depths.h>
+#include <waker/surface/user_surface.h>
+
+namespace Waker
+{
+  template <int dim>
+  class Scene;
+
+
+  /**
+   * What all realisations of one dyke share, and none changes: grid,
+   * materials, supports, and the points with their in-situ stress.
+   */
+  template <int dim>
+  struct Case
+  {
+    /**
+     * @param materials instead of those of the parameters, by number, for
+     *        programs that bring their own; empty: made from the parameters
+     * @throws UserError for whatever is wrong with the input
+     */
+    Case(const Parameters &parameters,
+         const MPI_Comm    communicator,
+         Materials         materials = {});
+
+    const Parameters          parameters;
+    const BackgroundGrid<dim> grid;
+    /// Of the tractions, one each.
+    const std::vector<UserSurface<dim>> user_surfaces;
+    const Materials                     materials;
+    const Flow<dim>                     flow;
+    const Fixities<dim>                 fixities;
+    const SoilDepths<dim>               depths;
+    const double        full_node_mass; // Mg, of a node inside the body
+    MaterialPoints<dim> initial_points;
+    /// Number of each one's layer; no layer has the number of what flows in.
+    std::vector<unsigned int>      layers_of_points;
+    typename Walls<dim>::Tractions initial_wall_tractions; // kPa
+    /// Of the tractions, one each; without pieces for those that do not ride.
+    std::vector<RidingLoad<dim>> riding_loads;
+    /// Of the tractions, one each.
+    std::vector<typename Tractions<dim>::Resultant> initial_tractions;
+    GravityReport                                   gravity_report;
+    /// The time at which the loads settle (s), the last one at which any of
+    /// them changes: as known from the loads, or as the user says; see
+    /// LastChange.
+    double last_load_change = LastChange::never;
+    /// Where W is measured (m); NaN: nowhere, as there is no level, or no soil
+    /// at it.
+    double measuring_level = std::numeric_limits<double>::quiet_NaN();
+    /// Does the water load anything at t = 0?
+    bool water_touches = false;
+
+  private:
+    double
+    declared_last_load_change(const Scene<dim> &scene) const;
+
+    double
+    checked_measuring_level(Scene<dim> &scene) const;
+
+    void
+    set_initial_state();
+  };
+
+
+  /// The vertices that the material carries, at t = 0.
+  template <int dim>
+  SurfaceVertices<dim>
+  initial_vertices(const Case<dim> &the_case);
+} // namespace Waker
+
+#endif

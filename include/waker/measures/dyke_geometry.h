@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_measures_dyke_geometry_h
+#define waker_measures_dyke_geometry_h
+
+#include <waker/surface/shape/surface.h>
+
+#include <array>
+#include <limits>
+#include <vector>
+
+namespace Waker
+{
+  /**
+   * Height and width of a dyke, read off its detected surface (section 5.2.3
+   * of Remmerswaal 2023).
+   */
+  struct DykeGeometry
+  {
+    /// H: highest vertex of all chains, on the vertical axis (m). No soil is
+    /// lower than any level: -infinity.
+    double height = -std::numeric_limits<double>::infinity();
+    /// Where W is measured (m); NaN: nowhere.
+    double level = std::numeric_limits<double>::quiet_NaN();
+    /// W: total width of the soil that rises above the level, at that level
+    /// (m). A crest exactly at the level counts as not above it. NaN if there
+    /// is no level.
+    double width = std::numeric_limits<double>::quiet_NaN();
+    /// The intervals [x0, x1] of soil at the water level, from left to right:
+    /// W may be a sum of parts (fig. 5.2e).
+    std::vector<std::array<double, 2>> parts;
+  };
+
+  /// @param level (m) at which W is measured, or NaN. Holes count as no soil.
+  DykeGeometry
+  measure_dyke(const Surface &surface, const double level);
+} // namespace Waker
+
+#endif

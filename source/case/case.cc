@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/errors.h>
+#include <waker/base/text.h>
+#include <waker/case/case.h>
+#include <waker/case/initial_properties.h>
+#include <waker/case/scene.h>
+#include <waker/case/sizes.h>
+#include <waker/mapping/stencil.h>
+#include <waker/measures/dyke_geometry.h>
+#include <waker/mechanics/deformation.h>
+#include <waker/mechanics/time_scheme.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace Waker
+{
+  namespace
+  {
+    template <int dim>
+    Point<dim>
+    corner(const std::vector<double> &coordinates)
+    {
+      Point<dim> x;
+      for (unsigned int d = 0; d < dim; ++d)
+        x[d] = coordinates[d];
+      return x;
+    }
+
+
+    Materials
+    make_materials(const Parameters &parameters)
+    {
+      Materials materials;
+      for (const MaterialParameters &material : parameters.materials)
+        materials.push_back(
+          make_material(material, parameters.gravity.density_acceleration()));
+      return materials;
+    }
+
+
+    double
+    largest_density(const Materials &materials)
+    {
+      double largest = 0.;
+      for (const auto &material : materials)
+        largest = std::max(largest, material->density());
+      return largest;
+    }
+  } // namespace
+
+
+  template <int dim>
+  Case<dim>::Case(const Parameters &p,
+                  const MPI_Comm    communicator,
+                  Materials         given_materials)
+    : parameters(p)
+    , grid(corner<dim>(p.grid.lower_corner),
+           corner<dim>(p.grid.upper_corner),
+           p.grid.cell_size,
+           communicator)
+    , user_surfaces(read_surfaces(p.tractions, grid))
+    , materials(given_materials.empty() ? make_materials(p)
+                                        : std::move(given_materials))
+    , flow(grid, materials, p)
+    , fixities(grid, flow.conditions())
+    , depths(grid, p.layers)
+    , full_node_mass(largest_density(materials) *
+                     std::pow(p.grid.cell_size, dim))
+    , riding_loads(p.tractions.size())
+  {
+    std::vector<std::string> names;
+    std::vector<double>      densities;
+    for (unsigned int m = 0; m < materials.size(); ++m)
+      {
+        names.push_back(m < p.materials.size() ? p.materials[m].name : "");
+        densities.push_back(materials[m]->density());
+      }
+    initial_points = make_material_points(
+      grid, p.layers, p.points, names, densities, &layers_of_points);
+    flow.fill(initial_points);
+    layers_of_points.resize(initial_points.n_points(), depths.n_layers());
+    apply_point_loads(p.point_loads, p.grid.cell_size, initial_points);
+    declare_material_variables(materials, initial_points);
+    InitialProperties<dim>(materials, depths)
+      .set(layers_of_points, initial_points);
+    if (p.mapping.domains == SupportDomains::stretched)
+      prepare_deformation(initial_points);
+    check_run_sizes(run_sizes(*this), p);
+    set_initial_state();
+  }
+
+
+  template <int dim>
+  double
+  Case<dim>::declared_last_load_change(const Scene<dim> &scene) const
+  {
+    const double declared = parameters.stop.declared_last_change();
+    if (declared != LastChange::unknown)
+      {
+        const std::string path =
+          scene.varying_load(declared,
+                             std::max(declared, parameters.time.end_time));
+        if (!path.empty())
+          throw UserError("Stop rules/Loads constant from",
+                          "is " + tidy(parameters.stop.loads_constant_from) +
+                            " s, but " + path +
+                            " changes between then and the end time",
+                          "a time after which no load changes, or unknown");
+      }
+    return scene.last_load_change(declared);
+  }
+
+
+  template <int dim>
+  double
+  Case<dim>::checked_measuring_level(Scene<dim> &scene) const
+  {
+    const auto metres = [](const double y) {
+      std::ostringstream text;
+      text << y;
+      return text.str();
+    };
+    const bool         has_water = parameters.water.stands();
+    const DykeGeometry dyke =
+      measure_dyke(scene.surfaces.chains(), parameters.water.level);
+    if (dyke.width > 0.)
+      {
+        const double water = scene.water_level(0.);
+        if (has_water && dyke.height <= water)
+          throw UserError("Water/Rise",
+                          "puts the water at " + metres(water) +
+                            " m at the start, not below the detected crest "
+                            "at " +
+                            metres(dyke.height) + " m: the dyke is flooded",
+                          "less than the crest at t = 0");
+        return dyke.level;
+      }
+    if (has_water)
+      throw UserError("Water/Level",
+                      "is " + metres(dyke.level) +
+                        " m, where there is no soil at the start: " +
+                        (dyke.height > dyke.level
+                           ? "all of it is above"
+                           : "it rises to " + metres(dyke.height) +
+                               " m, and is flooded"),
+                      "a level within the height of the soil (or Water/Side = "
+                      "none)");
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+
+
+  template <int dim>
+  void
+  Case<dim>::set_initial_state()
+  {
+    MaterialPoints<dim> &points = initial_points;
+    Scene<dim>           scene(*this);
+    scene.set(points);
+    scene.tractions.check_something_is_loaded();
+    last_load_change = declared_last_load_change(scene);
+    measuring_level  = checked_measuring_level(scene);
+    water_touches    = !scene.water.wetted_segments().empty() ||
+                    !scene.water.wetted_facets().empty();
+    scene.tractions.fix_point_loads(points);
+    scene.tractions.ride(points, riding_loads);
+    for (std::size_t i = 0; i < scene.tractions.size(); ++i)
+      initial_tractions.push_back(
+        scene.tractions.resultant(i, scene.nodes.mass));
+    if (!std::isfinite(scene.nodes.external_force.l2_norm()))
+      throw NumericalFailure("the loads at t = 0 are not finite: is a unit "
+                             "weight, a traction or a force too large?");
+    initial_wall_tractions.resize(scene.walls.n_spots());
+    scene.walls.reinit(scene.nodes.mass, 0., initial_wall_tractions);
+    if (parameters.gravity.initial_stress)
+      {
+        gravity_report = gravity_step(materials,
+                                      scene.weights,
+                                      fixities,
+                                      full_node_mass,
+                                      parameters.gravity.tolerance,
+                                      parameters.mapping,
+                                      scene.nodes,
+                                      points,
+                                      scene.resistances());
+        if (!gravity_report.converged)
+          {
+            std::ostringstream message;
+            message << "the gravity step stops at a residual of "
+                    << (gravity_report.residuals.empty()
+                          ? 0.
+                          : gravity_report.residuals.back())
+                    << ", above Gravity/Tolerance "
+                    << parameters.gravity.tolerance;
+            throw NumericalFailure(message.str());
+          }
+      }
+    else
+      scene.set_internal_force(points);
+
+    // Newmark starts from the acceleration that fits the forces at t = 0.
+    const double       ramp = residual_ramp(0., parameters.time.ramp_duration);
+    const Stencil<dim> stencil(grid);
+    NodalVector       &a = scene.nodes.acceleration;
+    a                    = scene.nodes.external_force;
+    a -= scene.nodes.internal_force;
+    for (unsigned int dof = 0; dof < grid.n_dofs(); ++dof)
+      {
+        const double mass = scene.nodes.mass[dof / dim];
+        a.begin()[dof] *=
+          (mass > 0. && !fixities.removed()[dof]) ? ramp / mass : 0.;
+      }
+    for (std::size_t q = 0; q < points.n_points(); ++q)
+      points.acceleration[q] = stencil.value(scene.weights[q], a.begin());
+  }
+
+
+  template <int dim>
+  SurfaceVertices<dim>
+  initial_vertices(const Case<dim> &the_case)
+  {
+    SurfaceVertices<dim> vertices;
+    for (std::size_t i = 0; i < the_case.riding_loads.size(); ++i)
+      vertices.push_back(the_case.riding_loads[i].pieces.empty()
+                           ? the_case.user_surfaces[i].vertices
+                           : the_case.riding_loads[i].start_vertices());
+    return vertices;
+  }
+
+
+  template SurfaceVertices<2>
+  initial_vertices(const Case<2> &);
+  template SurfaceVertices<3>
+  initial_vertices(const Case<3> &);
+  template struct Case<2>;
+  template struct Case<3>;
+} // namespace Waker

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/errors.h>
+#include <waker/base/places.h>
+#include <waker/case/initial_properties.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace Waker
+{
+  template <int dim>
+  InitialProperties<dim>::InitialProperties(const Materials       &materials,
+                                            const SoilDepths<dim> &depths)
+    : materials(&materials)
+    , depths(&depths)
+  {
+    for (const auto &material : materials)
+      {
+        properties.emplace_back();
+        std::vector<std::string> symbols; // of the variables before
+        for (const MaterialVariable &variable : material->variables())
+          {
+            const InitialValue &value = variable.initial_value;
+            properties.back().push_back({variable, {}});
+            if (value.varies())
+              properties.back().back().expression.emplace(value.expression,
+                                                          value.path,
+                                                          symbols,
+                                                          ", or a number");
+            if (!variable.symbol.empty())
+              symbols.push_back(variable.symbol);
+          }
+      }
+  }
+
+
+  template <int dim>
+  std::vector<double>
+  InitialProperties<dim>::at(const unsigned int material,
+                             const Point<dim>  &x,
+                             const unsigned int layer) const
+  {
+    const Depths        d = depths->at(x, layer);
+    std::vector<double> values, known; // known to those further down
+    for (const Property &property : properties[material])
+      {
+        values.push_back(property.expression
+                           ? property.expression->value(x, d, known)
+                           : property.variable.initial_value.number);
+        if (!property.variable.symbol.empty())
+          known.push_back(values.back());
+      }
+    return values;
+  }
+
+
+  template <int dim>
+  void
+  InitialProperties<dim>::set(const std::vector<unsigned int> &layers,
+                              MaterialPoints<dim>             &points) const
+  {
+    for (unsigned int m = 0; m < properties.size(); ++m)
+      {
+        const std::vector<Property> &list = properties[m];
+        if (std::none_of(list.begin(),
+                         list.end(),
+                         [](const Property &property) {
+                           return property.expression.has_value();
+                         }))
+          continue;
+        for (std::size_t p = 0; p < points.n_points(); ++p)
+          {
+            if (points.material[p] != m)
+              continue;
+            const Point<dim>         &x      = points.initial_position[p];
+            const std::vector<double> values = at(m, x, layers[p]);
+            if (const auto problem = (*materials)[m]->initial_problem(values))
+              {
+                const auto &[v, allowed]  = *problem;
+                const InitialValue &value = list[v].variable.initial_value;
+                std::ostringstream  what;
+                if (value.varies())
+                  what << "\"" << value.expression << "\" ";
+                what << "is " << values[v] << " at the point " << place_text(x)
+                     << " m";
+                throw UserError(value.path, what.str(), allowed);
+              }
+            for (unsigned int v = 0; v < values.size(); ++v)
+              points.scalar(list[v].variable.name)[p] = values[v];
+          }
+      }
+  }
+
+
+  template class InitialProperties<2>;
+  template class InitialProperties<3>;
+} // namespace Waker

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/errors.h>
+#include <waker/case/scene.h>
+#include <waker/mapping/transfer.h>
+#include <waker/mechanics/point_motion.h>
+#include <waker/mechanics/time_scheme.h>
+
+#include <algorithm>
+
+namespace Waker
+{
+  template <int dim>
+  Scene<dim>::Scene(const Case<dim> &the_case)
+    : weights(the_case.grid, the_case.parameters.mapping.functions)
+    , nodes(the_case.grid)
+    , surfaces(the_case.grid,
+               the_case.parameters.surface,
+               weights.functions(),
+               the_case.fixities.closed_faces())
+    , water(the_case.grid, the_case.parameters.water)
+    , tractions(the_case.grid,
+                the_case.parameters.tractions,
+                the_case.user_surfaces,
+                the_case.riding_loads)
+    , walls(the_case.grid,
+            the_case.parameters.walls,
+            stiffest_modulus(the_case.materials),
+            the_case.full_node_mass)
+    , the_case(&the_case)
+    , point_loads(the_case.grid)
+  {}
+
+
+  template <int dim>
+  void
+  Scene<dim>::set(const MaterialPoints<dim>  &points,
+                  const double                time,
+                  const SurfaceVertices<dim> &vertices)
+  {
+    map(points);
+    surfaces.reset(points);
+    tractions.find(points, vertices, surfaces);
+    set_loads(points, time);
+  }
+
+
+  template <int dim>
+  void
+  Scene<dim>::set(const MaterialPoints<dim> &points)
+  {
+    set(points, 0., initial_vertices(*the_case));
+  }
+
+
+  template <int dim>
+  void
+  Scene<dim>::map(const MaterialPoints<dim> &points)
+  {
+    weights.reinit(points);
+    to_nodes(points, weights, nodes);
+  }
+
+
+  namespace
+  {
+    /// Do it. What the input allowed at the start is no mistake of it later.
+    template <typename Action>
+    void
+    do_at_step(const std::uint64_t step, const Action &action)
+    {
+      try
+        {
+          action();
+        }
+      catch (const UserError &error)
+        {
+          if (step == 0)
+            throw;
+          throw NumericalFailure(error.what());
+        }
+    }
+  } // namespace
+
+
+  template <int dim>
+  void
+  Scene<dim>::find_surfaces(const State<dim> &state)
+  {
+    surfaces.reset(state.points);
+    do_at_step(state.step, [&]() {
+      tractions.find(state.points, state.surface_vertices, surfaces);
+    });
+  }
+
+
+  template <int dim>
+  void
+  Scene<dim>::set_loads(State<dim> &state)
+  {
+    do_at_step(state.step, [&]() { set_loads(state.points, state.time); });
+    tractions.record(state.time, state.tractions);
+  }
+
+
+  template <int dim>
+  void
+  Scene<dim>::meet_walls(State<dim> &state)
+  {
+    walls.reinit(nodes.mass, state.time, state.wall_tractions);
+    if (state.step == 0)
+      set_internal_force(state.points);
+  }
+
+
+  template <int dim>
+  void
+  Scene<dim>::begin_step()
+  {
+    if (loads_move())
+      nodes.start_force = nodes.external_force;
+  }
+
+
+  template <int dim>
+  void
+  Scene<dim>::set_end_loads(const MaterialPoints<dim> &points,
+                            const double               time)
+  {
+    if (loads_move())
+      set_loads(points, time);
+  }
+
+
+  template <int dim>
+  bool
+  Scene<dim>::loads_move() const
+  {
+    return water.moves() || tractions.moves();
+  }
+
+
+  namespace
+  {
+    /// The time from which all of the weight and the loads acts (s).
+    double
+    full_loads_from(const TimeParameters &time)
+    {
+      return !scheme_traits(time).has_inertia && time.load_duration > 0.
+               ? time.load_duration
+               : LastChange::never;
+    }
+  } // namespace
+
+
+  template <int dim>
+  double
+  Scene<dim>::last_load_change(const double unknown) const
+  {
+    double last = full_loads_from(the_case->parameters.time);
+    for (const double change : {water.last_change(),
+                                tractions.last_change(),
+                                walls.last_change(),
+                                the_case->fixities.last_change()})
+      last = std::max(last, change == LastChange::unknown ? unknown : change);
+    return last;
+  }
+
+
+  template <int dim>
+  std::string
+  Scene<dim>::varying_load(const double from, const double to) const
+  {
+    if (full_loads_from(the_case->parameters.time) > from)
+      return "Time stepping/Load duration";
+    if (water.varies(from, to))
+      return "Water/Rise";
+    for (const std::string &path : {tractions.varying(from, to),
+                                    walls.varying(from, to),
+                                    the_case->fixities.varying(from, to)})
+      if (!path.empty())
+        return path;
+    return "";
+  }
+
+
+  template <int dim>
+  void
+  Scene<dim>::set_loads(const MaterialPoints<dim> &points, const double time)
+  {
+    set_gravity<dim>(the_case->parameters.gravity.acceleration, nodes);
+    water.set_time(time);
+    water.find(surfaces);
+    water.add_nodal_forces(nodes.mass,
+                           the_case->full_node_mass,
+                           nodes.external_force);
+    water_resultant = water.resultant();
+    tractions.add(
+      time, points, nodes.mass, the_case->full_node_mass, nodes.external_force);
+    if (!points.load.empty())
+      {
+        // Eq. 3.2, with linear functions also under GIMP.
+        point_loads.clear();
+        for (std::size_t p = 0; p < points.n_points(); ++p)
+          if (points.load[p] != Tensor<1, dim>())
+            point_loads.add(points.position[p], points.load[p]);
+        point_loads.distribute(nodes.mass, 0., nodes.external_force);
+      }
+  }
+
+
+  template <int dim>
+  void
+  Scene<dim>::set_internal_force(const MaterialPoints<dim> &points)
+  {
+    nodes.internal_force = 0.;
+    make_point_motion<dim>(the_case->parameters.mapping)
+      ->add_force_of_stress(points, weights, nodes.internal_force);
+    for (Resistance<dim> *const resistance : resistances())
+      resistance->add_start_force(nodes.internal_force);
+  }
+
+
+  template <int dim>
+  Resistances<dim>
+  Scene<dim>::resistances()
+  {
+    return walls.empty() ? Resistances<dim>() : Resistances<dim>{&walls};
+  }
+
+
+  template <int dim>
+  double
+  Scene<dim>::water_level(const double time) const
+  {
+    return water.level(time);
+  }
+
+
+  template class Scene<2>;
+  template class Scene<3>;
+} // namespace Waker

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/sizes.h>
+#include <waker/case/sizes.h>
+#include <waker/mechanics/time_scheme.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace Waker
+{
+  namespace
+  {
+    /// More steps than this take years, and their statistics terabytes.
+    constexpr double most_steps = 1e9;
+    /// The list of the files is written again with each of them.
+    constexpr double most_snapshots = 1e5;
+
+
+    /// Bytes of the largest thing that is solved at once.
+    template <int dim>
+    double
+    solver_memory(const Parameters &parameters,
+                  const double      n_points,
+                  const double      n_nodes)
+    {
+      const bool gravity = parameters.gravity.initial_stress;
+      const bool direct  = !scheme_traits(parameters.time).has_inertia;
+      if (dim == 3 || !(gravity || direct))
+        return 8. * 60. * dim * n_nodes; // basis of the Krylov space
+      // Of a factor of a plane grid's matrix: some 10 n log2(n) entries of
+      // 12 bytes; the gravity step's blocks of 25 neighbours before.
+      const double n_soil = // nodes that have equations
+        1.2 * n_points / std::pow(parameters.points.points_per_direction, dim);
+      const double n = dim * std::min(n_nodes, n_soil);
+      return 12. * 10. * n * std::log2(n + 2.) * (direct ? 2. : 1.) +
+             25. * 32. * n_nodes;
+    }
+  } // namespace
+
+
+  template <int dim>
+  RunSizes
+  run_sizes(const Parameters &parameters,
+            const Materials  &materials,
+            const std::size_t n_points,
+            const std::size_t n_nodes)
+  {
+    const TimeParameters   &time   = parameters.time;
+    const OutputParameters &output = parameters.output;
+    RunSizes                sizes;
+    const SchemeTraits      scheme = scheme_traits(time);
+    sizes.time_step                = scheme.is_implicit
+                                       ? time.time_step
+                                       : time.courant_number * parameters.grid.cell_size /
+                            wave_speed(materials);
+    sizes.steps = std::ceil(time.end_time / sizes.time_step * (1. - 1e-12));
+
+    // Microseconds per point and step: see doc/verification/performance.md. A
+    // quasi-static step factorises a matrix in each iteration.
+    const double per_step = !scheme.has_inertia ? 30. : dim == 2 ? 0.4 : 2.;
+    sizes.computing       = 1e-6 * per_step * n_points * sizes.steps;
+
+    const double per_point =
+      8. * (4 + 7 * dim + 2 * 6 + 8 + 6 * dim) +
+      8. * (dim * (dim + 1) / 2 + 1) * (dim * dim + 1); // a point's tangent
+    const double per_node = 8. * (2 + 20 * dim);
+    sizes.memory          = per_point * n_points + per_node * n_nodes +
+                   solver_memory<dim>(parameters, n_points, n_nodes);
+
+    sizes.snapshots =
+      output.interval > 0.
+        ? std::min(sizes.steps, std::floor(time.end_time / output.interval)) +
+            1.
+        : 2.;
+    const double per_snapshot =
+      (output.particles ? 200. * n_points : 0.) +
+      (output.grid ? 150. * n_nodes : 0.) +
+      (output.surface ? 100. * std::pow(double(n_nodes), 0.5) : 0.);
+    sizes.disk = per_snapshot * sizes.snapshots + 600. * sizes.steps;
+    return sizes;
+  }
+
+
+  template <int dim>
+  RunSizes
+  run_sizes(const Case<dim> &the_case)
+  {
+    return run_sizes<dim>(the_case.parameters,
+                          the_case.materials,
+                          the_case.initial_points.n_points(),
+                          the_case.grid.n_nodes());
+  }
+
+
+  void
+  check_run_sizes(const RunSizes &sizes, const Parameters &parameters)
+  {
+    const bool chosen = scheme_traits(parameters.time).is_implicit;
+    checked_count(chosen ? "Time stepping/Time step" : "Time stepping/End time",
+                  sizes.steps,
+                  "steps to the end time",
+                  most_steps,
+                  chosen ? "a longer time step, or an earlier end time"
+                         : "an earlier end time");
+    checked_count("Output/Interval",
+                  sizes.snapshots,
+                  "moments with files",
+                  most_snapshots,
+                  "a longer interval");
+    std::ostringstream what;
+    what << "is " << parameters.grid.cell_size << " m";
+    require_memory("Grid/Cell size",
+                   what.str(),
+                   sizes.memory,
+                   "larger cells, a smaller box, or fewer material points");
+  }
+
+
+  template RunSizes
+  run_sizes<2>(const Parameters &,
+               const Materials &,
+               const std::size_t,
+               const std::size_t);
+  template RunSizes
+  run_sizes<3>(const Parameters &,
+               const Materials &,
+               const std::size_t,
+               const std::size_t);
+  template RunSizes
+  run_sizes(const Case<2> &);
+  template RunSizes
+  run_sizes(const Case<3> &);
+} // namespace Waker

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/case/case.h>
+#include <waker/case/state.h>
+#include <waker/mechanics/energy.h>
+
+#include <boost/archive/binary_iarchive.hpp>
+#include <boost/archive/binary_oarchive.hpp>
+#include <boost/serialization/binary_object.hpp>
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
+#include <sstream>
+
+namespace Waker
+{
+  namespace
+  {
+    // Doubles and tensors of doubles: their bytes are their value.
+    template <typename Archive, typename T>
+    void
+    array(Archive &archive, std::vector<T> &values)
+    {
+      std::size_t n = values.size();
+      archive    &n;
+      values.resize(n);
+      archive &boost::serialization::make_binary_object(values.data(),
+                                                        n * sizeof(T));
+    }
+
+
+    template <int dim, typename Archive>
+    void
+    all(Archive &archive, State<dim> &state)
+    {
+      std::size_t n_scalars = state.points.scalars.size();
+      archive    &n_scalars;
+      state.points.scalars.resize(n_scalars);
+      for (NamedArray &scalar : state.points.scalars)
+        archive &scalar.name;
+      MaterialPoints<dim>::for_each_array(state.points,
+                                          [&](const char *, auto &values) {
+                                            array(archive, values);
+                                          });
+      std::size_t n_surfaces = state.surface_vertices.size();
+      archive    &n_surfaces;
+      state.surface_vertices.resize(n_surfaces);
+      for (std::vector<Point<dim>> &vertices : state.surface_vertices)
+        array(archive, vertices);
+      array(archive, state.wall_tractions);
+      archive &state.tractions;
+      archive &state.time &state.step &state.flow &state.energy &state
+        .failure &state.rest &state.mean_plastic_strain &state
+        .displacement_rate &state.last_dt &state.halvings &state
+        .steps_since_change &state.newton_iterations &state
+        .linear_iterations                           &state.unconverged_steps;
+    }
+  } // namespace
+
+
+  template <int dim>
+  std::string
+  State<dim>::write() const
+  {
+    std::ostringstream              bytes;
+    boost::archive::binary_oarchive archive(bytes);
+    // Boost's archives write through a reference that is not const.
+    all(archive, const_cast<State<dim> &>(*this));
+    return bytes.str();
+  }
+
+
+  template <int dim>
+  void
+  State<dim>::read(const std::string &bytes)
+  {
+    std::istringstream              stream(bytes);
+    boost::archive::binary_iarchive archive(stream);
+    all(archive, *this);
+  }
+
+
+  template <int dim>
+  State<dim>
+  initial_state(const Case<dim> &the_case)
+  {
+    State<dim> state;
+    state.points               = the_case.initial_points;
+    state.surface_vertices     = initial_vertices(the_case);
+    state.wall_tractions       = the_case.initial_wall_tractions;
+    state.energy.kinetic_start = kinetic_energy(state.points);
+    state.energy.kinetic       = state.energy.kinetic_start;
+    state.energy.elastic_start =
+      elastic_energy(state.points, the_case.materials);
+    state.energy.elastic = state.energy.elastic_start;
+    the_case.flow.start(state);
+    return state;
+  }
+
+
+  template struct State<2>;
+  template struct State<3>;
+  template State<2>
+  initial_state(const Case<2> &);
+  template State<3>
+  initial_state(const Case<3> &);
+} // namespace Waker

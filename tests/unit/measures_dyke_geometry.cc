@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/measures/dyke_geometry.h>
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+
+namespace measures_dyke_geometry
+{
+  using namespace Waker;
+
+  namespace
+  {
+    SurfaceChain
+    make_chain(const std::vector<Point<2>> &vertices)
+    {
+      SurfaceChain chain;
+      chain.vertices = vertices;
+      chain.on_face.assign(vertices.size(), -1);
+      return chain;
+    }
+
+    // 1:2 slopes, crest from x = 10 to 14 at y = 5.
+    Surface
+    trapezium()
+    {
+      return {{make_chain(
+        {Point<2>(0, 0), Point<2>(24, 0), Point<2>(14, 5), Point<2>(10, 5)})}};
+    }
+  } // namespace
+
+
+
+  TEST(Measures, dyke_height_and_width)
+  {
+    const DykeGeometry dyke = measure_dyke(trapezium(), 3.);
+    EXPECT_EQ(dyke.height, 5.);
+    EXPECT_NEAR(dyke.width, 12., 1e-13);
+    ASSERT_EQ(dyke.parts.size(), 1u);
+    EXPECT_NEAR(dyke.parts[0][0], 6., 1e-13);
+    EXPECT_NEAR(dyke.parts[0][1], 18., 1e-13);
+
+    // Below all axes, too.
+    Surface low = trapezium();
+    for (Point<2> &v : low.chains[0].vertices)
+      v[1] -= 20.;
+    EXPECT_EQ(measure_dyke(low, -17.).height, -15.);
+    EXPECT_NEAR(measure_dyke(low, -17.).width, 12., 1e-12);
+
+    // Flooded, no soil.
+    EXPECT_EQ(measure_dyke(trapezium(), 5.5).width, 0.);
+    EXPECT_TRUE(measure_dyke(trapezium(), 5.5).parts.empty());
+    EXPECT_EQ(measure_dyke(Surface(), 1.).width, 0.);
+    // Lower than any level: 0 is one.
+    EXPECT_LT(measure_dyke(Surface(), 1.).height, -1e300);
+
+    // No level, no width.
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_TRUE(std::isnan(measure_dyke(trapezium(), none).width));
+    EXPECT_EQ(measure_dyke(trapezium(), none).height, 5.);
+  }
+
+
+
+  TEST(Measures, dyke_width_is_robust_at_vertices_on_the_level)
+  {
+    // A vertex on the level: passed through, touched from below, from above,
+    // and a whole segment on it.
+    const Surface through = {{make_chain({Point<2>(0, 0),
+                                          Point<2>(8, 0),
+                                          Point<2>(7, 1),
+                                          Point<2>(6, 2),
+                                          Point<2>(2, 2),
+                                          Point<2>(1, 1)})}};
+    EXPECT_EQ(measure_dyke(through, 1.).width, 6.);
+
+    const Surface notch = {{make_chain({Point<2>(0, 0),
+                                        Point<2>(8, 0),
+                                        Point<2>(8, 2),
+                                        Point<2>(4, 1),
+                                        Point<2>(0, 2)})}};
+    EXPECT_EQ(measure_dyke(notch, 1.).width, 8.);
+
+    const Surface peak = {{make_chain({Point<2>(0, 0),
+                                       Point<2>(10, 0),
+                                       Point<2>(10, 3),
+                                       Point<2>(8, 0.5),
+                                       Point<2>(4, 1),
+                                       Point<2>(2, 0.5),
+                                       Point<2>(0, 3)})}};
+    EXPECT_NEAR(measure_dyke(peak, 1.).width, 1.6 + 1.6, 1e-13);
+
+    // The base at the level counts, the crest at the level does not.
+    EXPECT_EQ(measure_dyke(trapezium(), 0.).width, 24.);
+    EXPECT_EQ(measure_dyke(trapezium(), 5.).width, 0.);
+    EXPECT_NEAR(measure_dyke(trapezium(), 5. - 1e-12).width, 4., 1e-9);
+  }
+
+
+
+  TEST(Measures, dyke_width_is_a_sum_of_parts)
+  {
+    // Two tops of one body, a block in front, a hole in the first top; the
+    // chains are not in the order of x.
+    Surface surface = {
+      {make_chain({Point<2>(10, 0),
+                   Point<2>(30, 0),
+                   Point<2>(30, 4),
+                   Point<2>(25, 4),
+                   Point<2>(25, 1),
+                   Point<2>(20, 1),
+                   Point<2>(20, 6),
+                   Point<2>(10, 6)}),
+       make_chain(
+         {Point<2>(2, 0), Point<2>(5, 0), Point<2>(5, 3), Point<2>(2, 3)}),
+       make_chain({Point<2>(12, 1),
+                   Point<2>(12, 3),
+                   Point<2>(14, 3),
+                   Point<2>(14, 1)})}};
+
+    const DykeGeometry dyke = measure_dyke(surface, 2.);
+    EXPECT_EQ(dyke.height, 6.);
+    const std::vector<std::array<double, 2>> parts = {{{2., 5.}},
+                                                      {{10., 12.}},
+                                                      {{14., 20.}},
+                                                      {{25., 30.}}};
+    EXPECT_EQ(dyke.parts, parts);
+    EXPECT_DOUBLE_EQ(dyke.width, 16.);
+
+    // Two bodies that touch are one part.
+    const DykeGeometry touching = measure_dyke(
+      {{make_chain(
+          {Point<2>(5, 0), Point<2>(9, 0), Point<2>(9, 3), Point<2>(5, 3)}),
+        make_chain(
+          {Point<2>(2, 0), Point<2>(5, 0), Point<2>(5, 3), Point<2>(2, 3)})}},
+      2.);
+    EXPECT_EQ(touching.parts.size(), 1u);
+    EXPECT_DOUBLE_EQ(touching.width, 7.);
+
+    // The same from the right.
+    for (SurfaceChain &chain : surface.chains)
+      {
+        std::reverse(chain.vertices.begin(), chain.vertices.end());
+        for (Point<2> &v : chain.vertices)
+          v[0] = -v[0];
+      }
+    const DykeGeometry mirrored = measure_dyke(surface, 2.);
+    ASSERT_EQ(mirrored.parts.size(), 4u);
+    EXPECT_EQ(mirrored.parts[0][0], -30.);
+    EXPECT_DOUBLE_EQ(mirrored.width, dyke.width);
+  }
+} // namespace measures_dyke_geometry
