@@ -5,6 +5,7 @@
 #include <waker/base/sizes.h>
 #include <waker/campaign/campaign_folder.h>
 #include <waker/campaign/campaign_text.h>
+#include <waker/campaign/folder_keeper.h>
 #include <waker/campaign/folder_watch.h>
 #include <waker/campaign/realisation_runner.h>
 #include <waker/campaign/schedule.h>
@@ -155,6 +156,7 @@ namespace Waker
                   const Schedule        &schedule,
                   const CampaignOptions &options,
                   const std::uint64_t    seed,
+                  const double           checkpoint_interval,
                   const std::string     &folder,
                   const std::string     &hash,
                   const MPI_Comm         communicator,
@@ -191,19 +193,34 @@ namespace Waker
           if (progress.is_done(task.scenario, task.realisation))
             continue;
 
-          std::optional<Record> record =
-            runners[task.scenario]->run(seed,
-                                        task.realisation,
-                                        options.interrupt);
+          const double end_time =
+            runners[task.scenario]->first_case().parameters.time.end_time;
+          FolderKeeper          keeper(folder,
+                              task.scenario,
+                              task.realisation,
+                              hash,
+                              checkpoint_interval,
+                              [&](const double time) {
+                                if (log.progress_due())
+                                  log.progress(
+                                    (progress.n_done() + time / end_time) /
+                                      progress.n_wanted(),
+                                    progress_text(progress, runners.size()) +
+                                      running_text(task.realisation, time));
+                              });
+          std::optional<Record> record = runners[task.scenario]->run(
+            seed, task.realisation, options.interrupt, keeper);
           if (!record)
             return false;
           record->scenario = task.scenario;
           if (!writer)
             writer.emplace(folder, hash);
           writer->append(*record);
+          keeper.remove();
           progress.add(*record);
           ++work.n;
           work.busy += record->wall_time;
+          work.fields += record->field_time;
 
           if (log.progress_due())
             {
@@ -291,6 +308,7 @@ namespace Waker
       Schedule(scenarios.size(), options.first, last, parameters.batch),
       options,
       parameters.seed,
+      parameters.checkpoint_interval,
       folder,
       info.hash,
       communicator,
@@ -303,9 +321,10 @@ namespace Waker
         .count();
 
     // Waits for all ranks: then all journals are complete.
-    work.n    = Utilities::MPI::sum(work.n, communicator);
-    work.busy = Utilities::MPI::sum(work.busy, communicator);
-    work.wall = Utilities::MPI::max(work.wall, communicator);
+    work.n      = Utilities::MPI::sum(work.n, communicator);
+    work.busy   = Utilities::MPI::sum(work.busy, communicator);
+    work.fields = Utilities::MPI::sum(work.fields, communicator);
+    work.wall   = Utilities::MPI::max(work.wall, communicator);
     const bool interrupted =
       Utilities::MPI::max(finished ? 0 : 1, communicator) == 1;
     watch.poll();

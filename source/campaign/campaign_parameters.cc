@@ -61,6 +61,13 @@ namespace Waker
       "half the time step, up to so many times in all; then it "
       "is recorded as a numerical failure.",
       Patterns::Integer(1, 10));
+    prm.add_parameter(
+      "Checkpoint interval",
+      checkpoint_interval,
+      "A realisation that takes longer is kept in the folder \"running\" after "
+      "each so many seconds of computing, so that one that is killed goes on "
+      "from there with --resume (s of wall time). 0: it begins anew.",
+      Patterns::Double(0.));
     add_choice(prm,
                "Target",
                target,

@@ -77,6 +77,43 @@ namespace Waker
 
 
   std::string
+  running_text(const std::uint64_t realisation, const double time)
+  {
+    char text[80];
+    std::snprintf(text,
+                  sizeof text,
+                  "; no. %llu at t = %.3g s",
+                  static_cast<unsigned long long>(realisation),
+                  time);
+    return text;
+  }
+
+
+  std::string
+  running_text(const RunningRealisation &running)
+  {
+    char text[200];
+    std::snprintf(
+      text,
+      sizeof text,
+      "realisation %llu of scenario %u: %s at t = %.3g s (%s ago), ",
+      static_cast<unsigned long long>(running.realisation),
+      running.scenario,
+      running.is_alive ? "under way," : "left",
+      running.time,
+      work_time_text(running.age).c_str());
+    std::string result = text;
+    if (running.kept_time < 0.)
+      return result + "no checkpoint";
+    std::snprintf(text,
+                  sizeof text,
+                  "checkpoint at t = %.3g s",
+                  running.kept_time);
+    return result + text;
+  }
+
+
+  std::string
   work_text(const Work &work, const int n_ranks)
   {
     char text[200];
@@ -96,6 +133,11 @@ namespace Waker
                       ": %.0f an hour and core; ranks busy %.1f %%",
                       work.n / time * 3600.,
                       100. * work.busy / time);
+        result += text;
+        std::snprintf(text,
+                      sizeof text,
+                      "; random fields %.2g s each",
+                      work.fields / work.n);
         result += text;
       }
     return result;

@@ -3,6 +3,7 @@
 #include <waker/base/log.h>
 #include <waker/campaign/campaign_folder.h>
 #include <waker/campaign/campaign_text.h>
+#include <waker/campaign/folder_keeper.h>
 #include <waker/campaign/progress.h>
 #include <waker/output/files.h>
 #include <waker/statistics/report.h>
@@ -137,6 +138,8 @@ namespace Waker
       pace_text(contents.records.size(), contents.n_wanted, busy);
     if (!pace.empty())
       log.line("  " + pace);
+    for (const RunningRealisation &running : running_realisations(folder))
+      log.line("  " + running_text(running));
     print_remarks(contents, log);
     const AnalysisParameters &analysis = input.reliability.analysis;
     // A table that is missing here must not keep the rest from the reader.

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
 #include <waker/campaign/realisation_runner.h>
+#include <waker/campaign/unfinished.h>
 #include <waker/simulation/run_to_end.h>
 
 #include <chrono>
-#include <cmath>
+#include <tuple>
+#include <utility>
 
 namespace Waker
 {
@@ -12,10 +14,7 @@ namespace Waker
   {
     /// The first slide is looked at so long after S1 (s).
     constexpr double first_look = 1.;
-    /// Change of W or H that goes into the trace (m).
-    constexpr double trace_resolution = 0.02;
-
-    using Clock = std::chrono::steady_clock;
+    using Clock                 = std::chrono::steady_clock;
 
     double
     seconds_since(const Clock::time_point start)
@@ -24,81 +23,64 @@ namespace Waker
     }
 
 
-    /// Keeps the geometry where it changes: the moment before a change, and
-    /// the one after.
-    class Tracer
-    {
-    public:
-      void
-      add(const double time, const DykeGeometry &geometry)
-      {
-        const TracePoint now{time, geometry.width, geometry.height};
-        if (points.empty())
-          points.push_back(now);
-        else if (std::abs(now.width - points.back().width) > trace_resolution ||
-                 std::abs(now.height - points.back().height) > trace_resolution)
-          {
-            if (last.time > points.back().time)
-              points.push_back(last);
-            points.push_back(now);
-          }
-        last = now;
-      }
-
-      std::vector<TracePoint>
-      finish()
-      {
-        if (!points.empty() && last.time > points.back().time)
-          points.push_back(last);
-        return std::move(points);
-      }
-
-    private:
-      std::vector<TracePoint> points;
-      TracePoint              last{};
-    };
-
-
-    /// Traces the geometry, and looks at the first slide.
+    /// Traces the geometry, looks at the first slide, and keeps all that for
+    /// another process.
     template <int dim>
     class RecordWatcher : public Watcher
     {
     public:
+      /// @param so_far goes on from there
+      /// @param begun when this process began with the realisation
       RecordWatcher(const bool                        inner_is_positive,
                     const volatile std::sig_atomic_t *interrupt,
                     const State<dim>                 &state,
-                    Record                           &record)
+                    Unfinished                       &so_far,
+                    const Clock::time_point           begun,
+                    Keeper                           &keeper)
         : inner_is_positive(inner_is_positive)
         , interrupt(interrupt)
         , state(state)
-        , record(record)
+        , so_far(so_far)
+        , begun(begun)
+        , earlier_time(so_far.wall_time)
+        , keeper(keeper)
       {}
 
       bool
       looked(const StopReason stop) override
       {
         const FailureRecord &failure = state.failure;
-        tracer.add(state.time, failure.geometry);
-        if (!has_seen_slide && failure.failed() &&
+        so_far.tracer.add(state.time, failure.geometry);
+        if (!so_far.has_seen_slide && failure.failed() &&
             (stop != StopReason::none ||
              state.time >= failure.time_of(FailureReading::any) + first_look))
           {
-            has_seen_slide       = true;
-            record.first_inward  = moved_soil(state.points, inner_is_positive);
-            record.first_outward = moved_soil(state.points, !inner_is_positive);
+            so_far.has_seen_slide = true;
+            so_far.record.first_inward =
+              moved_soil(state.points, inner_is_positive);
+            so_far.record.first_outward =
+              moved_soil(state.points, !inner_is_positive);
           }
-        return stop != StopReason::none || interrupt == nullptr ||
-               *interrupt == 0;
+        if (stop != StopReason::none)
+          return true;
+        const bool go_on = interrupt == nullptr || *interrupt == 0;
+        if (keeper.is_due(state.time, !go_on))
+          {
+            so_far.state     = state.write();
+            so_far.wall_time = earlier_time + seconds_since(begun);
+            keeper.keep(state.step, state.time, so_far.write());
+          }
+        return go_on;
       }
-
-      Tracer tracer;
 
     private:
       const bool                              inner_is_positive;
       const volatile std::sig_atomic_t *const interrupt;
       const State<dim>                       &state;
-      Record                                 &record;
-      bool                                    has_seen_slide = false;
+      Unfinished                             &so_far;
+      const Clock::time_point                 begun;
+      const double                            earlier_time; // s
+      Keeper                                 &keeper;
     };
   } // namespace
 
@@ -126,16 +108,15 @@ namespace Waker
 
   template <int dim>
   bool
-  RealisationRunner<dim>::record_run(
-    const Case<dim>                  &the_case,
-    const volatile std::sig_atomic_t *interrupt,
-    State<dim>                       &state,
-    Record                           &record) const
+  RealisationRunner<dim>::record_run(const Case<dim> &the_case,
+                                     Watcher         &watcher,
+                                     State<dim>      &state,
+                                     Unfinished      &so_far) const
   {
     const bool inner_is_positive =
       the_case.parameters.water.inner_direction() > 0;
-    Realisation<dim>   realisation(the_case, state);
-    RecordWatcher<dim> watcher(inner_is_positive, interrupt, state, record);
+    Record          &record = so_far.record;
+    Realisation<dim> realisation(the_case, state);
     try
       {
         const StopReason stop = run_to_end(realisation, watcher);
@@ -164,8 +145,77 @@ namespace Waker
     record.linear_iterations += state.linear_iterations;
     record.unconverged_steps += state.unconverged_steps;
     if (state.failure.failed())
-      record.trace = watcher.tracer.finish();
+      record.trace = so_far.tracer.finish();
     return true;
+  }
+
+
+  template <int dim>
+  std::optional<Record>
+  RealisationRunner<dim>::run_attempts(
+    const std::function<const double *()> &noise,
+    const volatile std::sig_atomic_t      *interrupt,
+    Keeper                                &keeper)
+  {
+    const Clock::time_point start = Clock::now();
+    Unfinished              so_far;
+    bool                    goes_on = false; // with what was kept
+    if (std::optional<Unfinished> earlier = Unfinished::read(keeper.earlier()))
+      {
+        so_far  = std::move(*earlier);
+        goes_on = so_far.attempt < cases.size();
+        if (!goes_on)
+          so_far = Unfinished();
+      }
+    const double earlier_time = so_far.wall_time;
+
+    bool interrupted = false;
+    cases.until_it_works(
+      [&](const Case<dim> &the_case, const unsigned int attempt) {
+        State<dim> state = initial_state(the_case);
+        if (goes_on)
+          {
+            state.read(so_far.state);
+            goes_on = false;
+          }
+        else
+          {
+            // The work of all attempts counts, what came out only of the last.
+            const Record before      = std::move(so_far.record);
+            so_far                   = Unfinished();
+            so_far.attempt           = attempt;
+            so_far.wall_time         = earlier_time;
+            Record &record           = so_far.record;
+            record.attempts          = attempt + 1;
+            record.steps             = before.steps;
+            record.newton_iterations = before.newton_iterations;
+            record.linear_iterations = before.linear_iterations;
+            record.unconverged_steps = before.unconverged_steps;
+            record.field_time        = before.field_time;
+
+            const Clock::time_point field_start = Clock::now();
+            random_properties.apply(noise(), state);
+            record.field_time += seconds_since(field_start);
+            std::tie(record.mean_strength, record.least_strength) =
+              random_properties.mean_and_least(state);
+          }
+        so_far.wall_time = earlier_time;
+        RecordWatcher<dim> watcher(the_case.parameters.water.inner_direction() >
+                                     0,
+                                   interrupt,
+                                   state,
+                                   so_far,
+                                   start,
+                                   keeper);
+        interrupted = !record_run(the_case, watcher, state, so_far);
+        return interrupted ||
+               so_far.record.outcome != Outcome::numerical_failure;
+      },
+      so_far.attempt);
+    if (interrupted)
+      return {};
+    so_far.record.wall_time = earlier_time + seconds_since(start);
+    return std::move(so_far.record);
   }
 
 
@@ -174,34 +224,8 @@ namespace Waker
   RealisationRunner<dim>::run(const double                     *noise,
                               const volatile std::sig_atomic_t *interrupt)
   {
-    const Clock::time_point start = Clock::now();
-    Record                  record;
-    bool                    interrupted = false;
-    cases.until_it_works(
-      [&](const Case<dim> &the_case, const unsigned int attempt) {
-        // The work of all attempts counts, what came out only of the last.
-        Record next;
-        next.attempts          = attempt + 1;
-        next.steps             = record.steps;
-        next.newton_iterations = record.newton_iterations;
-        next.linear_iterations = record.linear_iterations;
-        next.unconverged_steps = record.unconverged_steps;
-        next.field_time        = record.field_time;
-        record                 = std::move(next);
-
-        State<dim>              state       = initial_state(the_case);
-        const Clock::time_point field_start = Clock::now();
-        random_properties.apply(noise, state);
-        record.field_time += seconds_since(field_start);
-        std::tie(record.mean_strength, record.least_strength) =
-          random_properties.mean_and_least(state);
-        interrupted = !record_run(the_case, interrupt, state, record);
-        return interrupted || record.outcome != Outcome::numerical_failure;
-      });
-    if (interrupted)
-      return {};
-    record.wall_time = seconds_since(start);
-    return record;
+    Keeper nobody;
+    return run_attempts([=]() { return noise; }, interrupt, nobody);
   }
 
 
@@ -209,19 +233,20 @@ namespace Waker
   std::optional<Record>
   RealisationRunner<dim>::run(const std::uint64_t               seed,
                               const std::uint64_t               realisation,
-                              const volatile std::sig_atomic_t *interrupt)
+                              const volatile std::sig_atomic_t *interrupt,
+                              Keeper                           &keeper)
   {
-    const Clock::time_point   start = Clock::now();
-    const std::vector<double> noise =
-      realisation_noise(seed, realisation, n_noise());
-    const double          noise_time = seconds_since(start);
-    std::optional<Record> record     = run(noise.data(), interrupt);
+    std::vector<double>   noise;
+    std::optional<Record> record = run_attempts(
+      [&]() {
+        if (noise.empty())
+          noise = realisation_noise(seed, realisation, n_noise());
+        return noise.data();
+      },
+      interrupt,
+      keeper);
     if (record)
-      {
-        record->realisation = realisation;
-        record->field_time += noise_time;
-        record->wall_time += noise_time;
-      }
+      record->realisation = realisation;
     return record;
   }
 

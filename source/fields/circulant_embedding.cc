@@ -159,10 +159,9 @@ namespace Waker
                               "'local average subdivision' or 'Cholesky'");
           }
 
-        // The torus, its roots and its noise; the table of covariances.
         require_memory(path + "/Cell size",
                        "makes a torus of " + cells(n_torus, lattice.dim),
-                       32. * n,
+                       bytes_per_cell * n,
                        "larger cells of the field");
         transform = std::make_unique<Transform>(n_torus, lattice.n_cells);
 
@@ -274,7 +273,8 @@ namespace Waker
   std::string
   CirculantEmbedding::description() const
   {
-    std::string text = "circulant embedding on " + cells(n_torus, lattice.dim);
+    std::string text = "circulant embedding on " + cells(n_torus, lattice.dim) +
+                       " (" + bytes_text(bytes_per_cell * root.size()) + ")";
     if (negative > 0.)
       {
         std::ostringstream share;

@@ -44,6 +44,7 @@ namespace Waker
 
     const std::string report    = "report";
     const std::string snapshots = "snapshots";
+    const std::string running   = "running";
 
 
     /// Two numbers between `start`, `middle` and `end`?
@@ -151,6 +152,49 @@ namespace Waker
   }
 
 
+  const std::string running_note_name = "progress.json";
+
+
+  std::string
+  running_folder(const std::string  &folder,
+                 const unsigned int  scenario,
+                 const std::uint64_t realisation)
+  {
+    return join_path(join_path(folder, running),
+                     snapshot_name(scenario, realisation));
+  }
+
+
+  std::vector<std::pair<unsigned int, std::uint64_t>>
+  running_numbers(const std::string &folder)
+  {
+    std::vector<std::pair<unsigned int, std::uint64_t>> numbers;
+    std::error_code                                     error;
+    fs::directory_iterator entry(join_path(folder, running), error);
+    for (; !error && entry != fs::directory_iterator(); entry.increment(error))
+      {
+        const std::string name = entry->path().filename().string();
+        // Numbers of a file name that is not ours may be of any length.
+        if (has_two_numbers(name, "", "-", "") && name.size() < 19)
+          numbers.emplace_back(std::stoul(name),
+                               std::stoull(name.substr(name.find('-') + 1)));
+      }
+    std::sort(numbers.begin(), numbers.end());
+    return numbers;
+  }
+
+
+  std::vector<OwnFiles>
+  files_of_running()
+  {
+    const fs::path checkpoint = checkpoint_name(0);
+    return {{"", is_one_of({running_note_name})},
+            {checkpoint.parent_path().string(), [](const std::string &name) {
+               return is_numbered(name, "checkpoint-", ".bin");
+             }}};
+  }
+
+
   std::vector<OwnFiles>
   files_of_campaign(const std::string &folder)
   {
@@ -165,6 +209,15 @@ namespace Waker
                                    {snapshots, none}};
     for (const OwnFiles &of_run : files_of_run())
       files.push_back(of_run);
+    for (const auto &[scenario, realisation] : running_numbers(folder))
+      for (OwnFiles of_running : files_of_running())
+        {
+          of_running.subfolder =
+            join_path(running_folder("", scenario, realisation),
+                      of_running.subfolder);
+          files.push_back(of_running);
+        }
+    files.push_back({running, none});
 
     std::error_code        error;
     fs::directory_iterator entry(snapshots_folder(folder), error);

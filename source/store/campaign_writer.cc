@@ -33,6 +33,17 @@ namespace Waker
     }
 
 
+    std::string
+    claim_path(const std::string  &folder,
+               const unsigned int  scenario,
+               const std::uint64_t realisation)
+    {
+      return join_path(join_path(folder, subfolder),
+                       claim_prefix + std::to_string(scenario) + "-" +
+                         std::to_string(realisation));
+    }
+
+
     /// "claim-0-17"
     bool
     is_claim(const std::string &name)
@@ -137,9 +148,7 @@ namespace Waker
   CampaignWriter::claim(const unsigned int  scenario,
                         const std::uint64_t realisation) const
   {
-    const std::string path = join_path(join_path(folder, subfolder),
-                                       claim_prefix + std::to_string(scenario) +
-                                         "-" + std::to_string(realisation));
+    const std::string path = claim_path(folder, scenario, realisation);
     // A second attempt where the claim of a dead process was in the way.
     for (unsigned int attempt = 0; attempt < 2; ++attempt)
       {
@@ -169,6 +178,17 @@ namespace Waker
   CampaignWriter::Claim::Claim(Claim &&other) noexcept
     : path(std::exchange(other.path, ""))
   {}
+
+
+  bool
+  is_claimed(const std::string  &folder,
+             const unsigned int  scenario,
+             const std::uint64_t realisation)
+  {
+    LockHolder holder;
+    return FolderLock::look(claim_path(folder, scenario, realisation),
+                            holder) == FolderLock::State::held;
+  }
 
 
   void

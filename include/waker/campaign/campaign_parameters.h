@@ -47,6 +47,9 @@ namespace Waker
     /// A realisation that fails numerically is begun again with half the time
     /// step, up to this number of times in all.
     unsigned int attempts = 3;
+    /// Between two checkpoints of a realisation under way, s of wall time; 0:
+    /// none.
+    double checkpoint_interval = 30.;
 
     // When to stop before N; 0: not for this reason.
     CampaignTarget target                   = CampaignTarget::flooding;

@@ -2,6 +2,7 @@
 #ifndef waker_campaign_campaign_text_h
 #define waker_campaign_campaign_text_h
 
+#include <waker/campaign/folder_keeper.h>
 #include <waker/campaign/progress.h>
 #include <waker/store/campaign_info.h>
 
@@ -13,9 +14,10 @@ namespace Waker
   /// What has been computed by all ranks of this start of the program.
   struct Work
   {
-    std::uint64_t n    = 0;  // realisations
-    double        busy = 0.; // s, sum of their wall times
-    double        wall = 0.; // s, of the slowest rank
+    std::uint64_t n      = 0;  // realisations
+    double        busy   = 0.; // s, sum of their wall times
+    double        fields = 0.; // s, of which for random fields
+    double        wall   = 0.; // s, of the slowest rank
   };
 
   /// "12.3 s", "4.5 min", "2.1 h"
@@ -31,8 +33,17 @@ namespace Waker
   std::string
   progress_text(const Progress &progress, const unsigned int n_scenarios);
 
+  /// "; no. 17 at t = 3.2 s"
+  std::string
+  running_text(const std::uint64_t realisation, const double time);
+
+  /// "realisation 17 of scenario 0: under way, at t = 3.2 s (4 s ago),
+  /// checkpoint at t = 2.9 s"
+  std::string
+  running_text(const RunningRealisation &running);
+
   /// "200 realisations in 45 s on 2 rank(s): 8000 an hour and core; ranks busy
-  /// 99.1 %"
+  /// 99.1 %; random fields 0.02 s each"
   std::string
   work_text(const Work &work, const int n_ranks);
 

@@ -2,18 +2,23 @@
 #ifndef waker_campaign_realisation_runner_h
 #define waker_campaign_realisation_runner_h
 
+#include <waker/campaign/keeper.h>
 #include <waker/campaign/random_properties.h>
 #include <waker/simulation/attempts.h>
 #include <waker/simulation/realisation.h>
 #include <waker/store/record.h>
 
 #include <csignal>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace Waker
 {
+  class Watcher;
+  struct Unfinished;
+
   /**
    * A realisation as a function: white noise -> numbers. What a Monte Carlo
    * campaign, a subset simulation or a program of one's own calls.
@@ -70,15 +75,33 @@ namespace Waker
     std::optional<Record>
     run(const std::uint64_t               seed,
         const std::uint64_t               realisation,
-        const volatile std::sig_atomic_t *interrupt);
+        const volatile std::sig_atomic_t *interrupt)
+    {
+      Keeper nobody;
+      return run(seed, realisation, interrupt, nobody);
+    }
+
+    /// The same.
+    /// @param keeper what it has kept is gone on with
+    std::optional<Record>
+    run(const std::uint64_t               seed,
+        const std::uint64_t               realisation,
+        const volatile std::sig_atomic_t *interrupt,
+        Keeper                           &keeper);
 
   private:
+    /// @param noise gives it when it is needed
+    std::optional<Record>
+    run_attempts(const std::function<const double *()> &noise,
+                 const volatile std::sig_atomic_t      *interrupt,
+                 Keeper                                &keeper);
+
     /// @return false if interrupted
     bool
-    record_run(const Case<dim>                  &the_case,
-               const volatile std::sig_atomic_t *interrupt,
-               State<dim>                       &state,
-               Record                           &record) const;
+    record_run(const Case<dim> &the_case,
+               Watcher         &watcher,
+               State<dim>      &state,
+               Unfinished      &so_far) const;
 
     Attempts<dim>         cases;
     RandomProperties<dim> random_properties;

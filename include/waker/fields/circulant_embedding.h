@@ -28,12 +28,17 @@ namespace Waker
     /// Largest share of negative eigenvalues that is cut off.
     static constexpr double tolerance = 1e-6;
 
+    /// Bytes for each cell of the torus: it and its roots, the noise of a
+    /// field, and at the start the table of covariances.
+    static constexpr double bytes_per_cell = 32.;
+
     /// @throws UserError path + "/Generator" if no torus up to `maximum_cells`
-    /// will do; says which share is negative and what to try instead
+    /// will do; says which share is negative and what to try instead. path +
+    /// "/Cell size" if there is not as much memory
     CirculantEmbedding(const FieldLattice &lattice,
                        const Correlation  &correlation,
                        const std::string  &path,
-                       const std::size_t   maximum_cells = 1 << 25);
+                       const std::size_t   maximum_cells = 1 << 27);
     ~CirculantEmbedding() override;
 
     std::size_t

@@ -68,9 +68,9 @@ namespace Waker
     /// @param works gets the case and the number of the attempt
     template <typename Attempt>
     unsigned int
-    until_it_works(const Attempt &works)
+    until_it_works(const Attempt &works, const unsigned int first = 0)
     {
-      return attempt_until_it_works(0, n, [&](const unsigned int attempt) {
+      return attempt_until_it_works(first, n, [&](const unsigned int attempt) {
         return works((*this)[attempt], attempt);
       });
     }

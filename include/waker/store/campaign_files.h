@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Waker
@@ -56,6 +57,23 @@ namespace Waker
   /// Name of the folder of a snapshot that this process is making.
   std::string
   unfinished_name(const std::string &snapshot);
+
+  /// "running/0-17": what is kept of a realisation under way.
+  std::string
+  running_folder(const std::string  &folder,
+                 const unsigned int  scenario,
+                 const std::uint64_t realisation);
+
+  /// In it: how far it is.
+  extern const std::string running_note_name;
+
+  /// Scenario and realisation of the running folders that are there, ascending.
+  std::vector<std::pair<unsigned int, std::uint64_t>>
+  running_numbers(const std::string &folder);
+
+  /// The files of one of them.
+  std::vector<OwnFiles>
+  files_of_running();
 
   /// All that a campaign may have written in its folder, those of its snapshots
   /// that are there among them; and what a run would: the folder may have been

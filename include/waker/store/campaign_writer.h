@@ -55,6 +55,12 @@ namespace Waker
   };
 
 
+  /// Has a process that lives claimed this realisation?
+  bool
+  is_claimed(const std::string  &folder,
+             const unsigned int  scenario,
+             const std::uint64_t realisation);
+
   /// @throws UserError "Output/Directory" if a process computes in the folder,
   /// or may do so on another host
   void
