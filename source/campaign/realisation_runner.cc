@@ -64,18 +64,16 @@ namespace Waker
     class RecordWatcher : public Watcher
     {
     public:
-      RecordWatcher(const bool                        inner_is_positive,
-                    const volatile std::sig_atomic_t *interrupt,
-                    const State<dim>                 &state,
-                    Record                           &record)
+      RecordWatcher(const bool        inner_is_positive,
+                    const State<dim> &state,
+                    Record           &record)
         : inner_is_positive(inner_is_positive)
-        , interrupt(interrupt)
         , state(state)
         , record(record)
       {}
 
-      bool
-      looked(const StopReason stop) override
+      void
+      looked(const StopReason stop, const bool) override
       {
         const FailureRecord &failure = state.failure;
         tracer.add(state.time, failure.geometry);
@@ -87,18 +85,15 @@ namespace Waker
             record.first_inward  = moved_soil(state.points, inner_is_positive);
             record.first_outward = moved_soil(state.points, !inner_is_positive);
           }
-        return stop != StopReason::none || interrupt == nullptr ||
-               *interrupt == 0;
       }
 
       Tracer tracer;
 
     private:
-      const bool                              inner_is_positive;
-      const volatile std::sig_atomic_t *const interrupt;
-      const State<dim>                       &state;
-      Record                                 &record;
-      bool                                    has_seen_slide = false;
+      const bool        inner_is_positive;
+      const State<dim> &state;
+      Record           &record;
+      bool              has_seen_slide = false;
     };
   } // namespace
 
@@ -126,19 +121,18 @@ namespace Waker
 
   template <int dim>
   bool
-  RealisationRunner<dim>::record_run(
-    const Case<dim>                  &the_case,
-    const volatile std::sig_atomic_t *interrupt,
-    State<dim>                       &state,
-    Record                           &record) const
+  RealisationRunner<dim>::record_run(const Case<dim> &the_case,
+                                     const Interrupt &interrupt,
+                                     State<dim>      &state,
+                                     Record          &record) const
   {
     const bool inner_is_positive =
       the_case.parameters.water.inner_direction() > 0;
     Realisation<dim>   realisation(the_case, state);
-    RecordWatcher<dim> watcher(inner_is_positive, interrupt, state, record);
+    RecordWatcher<dim> watcher(inner_is_positive, state, record);
     try
       {
-        const StopReason stop = run_to_end(realisation, watcher);
+        const StopReason stop = run_to_end(realisation, watcher, interrupt);
         if (stop == StopReason::none)
           return false;
         record.stop_reason = to_string(stop);
@@ -171,8 +165,7 @@ namespace Waker
 
   template <int dim>
   std::optional<Record>
-  RealisationRunner<dim>::run(const double                     *noise,
-                              const volatile std::sig_atomic_t *interrupt)
+  RealisationRunner<dim>::run(const double *noise, const Interrupt &interrupt)
   {
     const Clock::time_point start = Clock::now();
     Record                  record;
@@ -207,9 +200,9 @@ namespace Waker
 
   template <int dim>
   std::optional<Record>
-  RealisationRunner<dim>::run(const std::uint64_t               seed,
-                              const std::uint64_t               realisation,
-                              const volatile std::sig_atomic_t *interrupt)
+  RealisationRunner<dim>::run(const std::uint64_t seed,
+                              const std::uint64_t realisation,
+                              const Interrupt    &interrupt)
   {
     const Clock::time_point   start = Clock::now();
     const std::vector<double> noise =

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/base/numbers.h>
 #include <waker/base/text.h>
 #include <waker/case/case.h>
 #include <waker/case/initial_properties.h>
@@ -85,8 +86,7 @@ namespace Waker
     declare_material_variables(materials, initial_points);
     InitialProperties<dim>(materials, depths)
       .set(layers_of_points, initial_points);
-    if (p.mapping.domains == SupportDomains::stretched)
-      prepare_deformation(initial_points);
+    prepare_domains(p.mapping.domains, initial_points);
     check_run_sizes(run_sizes(*this), p);
     set_initial_state();
   }
@@ -147,7 +147,7 @@ namespace Waker
                                " m, and is flooded"),
                       "a level within the height of the soil (or Water/Side = "
                       "none)");
-    return std::numeric_limits<double>::quiet_NaN();
+    return nan;
   }
 
 

@@ -135,21 +135,8 @@ namespace Waker
   bool
   Scene<dim>::loads_move() const
   {
-    return water.moves() || tractions.moves();
+    return water.level().moves() || tractions.moves();
   }
-
-
-  namespace
-  {
-    /// The time from which all of the weight and the loads acts (s).
-    double
-    full_loads_from(const TimeParameters &time)
-    {
-      return !scheme_traits(time).has_inertia && time.load_duration > 0.
-               ? time.load_duration
-               : LastChange::never;
-    }
-  } // namespace
 
 
   template <int dim>
@@ -157,7 +144,7 @@ namespace Waker
   Scene<dim>::last_load_change(const double unknown) const
   {
     double last = full_loads_from(the_case->parameters.time);
-    for (const double change : {water.last_change(),
+    for (const double change : {water.level().last_change(),
                                 tractions.last_change(),
                                 walls.last_change(),
                                 the_case->fixities.last_change()})
@@ -172,7 +159,7 @@ namespace Waker
   {
     if (full_loads_from(the_case->parameters.time) > from)
       return "Time stepping/Load duration";
-    if (water.varies(from, to))
+    if (water.level().varies(from, to))
       return "Water/Rise";
     for (const std::string &path : {tractions.varying(from, to),
                                     walls.varying(from, to),
@@ -232,7 +219,7 @@ namespace Waker
   double
   Scene<dim>::water_level(const double time) const
   {
-    return water.level(time);
+    return water.level().at(time);
   }
 
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/exceptions.h>
 
-#include <waker/base/last_change.h>
 #include <waker/loads/water_load.h>
 #include <waker/surface/surface_finder.h>
 
@@ -14,31 +13,13 @@ namespace Waker
                             const WaterParameters     &parameters)
     : grid(&grid)
     , parameters(parameters)
-    , rise(parameters.rise, "Water/Rise")
+    , level_in_time(parameters)
     , liquid{parameters.unit_weight, parameters.level}
     , plane_load(Point<2>(grid.origin()[0], grid.origin()[1]),
                  grid.cell_size(),
                  {{grid.n_nodes_per_direction()[0],
                    grid.n_nodes_per_direction()[1]}})
   {}
-
-
-
-  template <int dim>
-  double
-  WaterLoad<dim>::last_change() const
-  {
-    return parameters.stands() ? rise.last_change() : LastChange::never;
-  }
-
-
-
-  template <int dim>
-  bool
-  WaterLoad<dim>::varies(const double from, const double to) const
-  {
-    return parameters.stands() && rise.varies(from, to);
-  }
 
 
 

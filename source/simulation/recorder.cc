@@ -339,7 +339,7 @@ namespace Waker
       time_or_nothing(state.failure.initial_time_thesis);
     summary.initial_failure_time_displacement =
       time_or_nothing(state.failure.time_of(FailureReading::by_displacement));
-    summary.slope             = state.failure.slope();
+    summary.slope             = name_of(state.failure.slope());
     summary.inner_slide       = slide_or_nothing(state.failure.inner_slide);
     summary.outer_slide       = slide_or_nothing(state.failure.outer_slide);
     summary.flooding_time     = time_or_nothing(state.failure.flooding_time);

@@ -297,7 +297,7 @@ namespace statistics_fragility
     parameters.consequence         = 1e6;
     std::vector<std::string> notes;
     const LevelDistribution  about_4 = LevelDistribution::gumbel(4., 1e-4);
-    const auto now = yearly("Water/Level", points, about_4, parameters, notes);
+    const auto now = yearly(true, points, about_4, parameters, notes);
     EXPECT_NEAR(now->flooding.estimate, 0.2, 1e-3);
     EXPECT_NEAR(now->flooding.high, proportion(18, 30).high, 1e-3);
     EXPECT_EQ(now->risk.macro_instability->verdict, Verdict::undecided);
@@ -307,7 +307,7 @@ namespace statistics_fragility
     decided.pop_back();
     for (FragilityPoint &p : decided)
       p.flooding_bounds.reset();
-    EXPECT_EQ(yearly("Water/Level", decided, about_4, parameters, notes)
+    EXPECT_EQ(yearly(true, decided, about_4, parameters, notes)
                 ->risk.macro_instability->verdict,
               Verdict::met);
 
@@ -398,8 +398,8 @@ namespace statistics_fragility
     std::vector<std::string> notes;
     const LevelDistribution  above = LevelDistribution::gumbel(3.5, 0.25),
                             below  = LevelDistribution::gumbel(-16.5, 0.25);
-    const auto a = yearly("Water/Level", points, above, parameters, notes);
-    const auto b = yearly("Water/Level", low, below, parameters, notes);
+    const auto a = yearly(true, points, above, parameters, notes);
+    const auto b = yearly(true, low, below, parameters, notes);
     EXPECT_NEAR(a->flooding.estimate, b->flooding.estimate, 1e-12);
     EXPECT_NEAR(a->flooding.high, b->flooding.high, 1e-12);
     EXPECT_NEAR(a->initial.low, b->initial.low, 1e-12);

@@ -2,12 +2,12 @@
 #ifndef waker_campaign_realisation_runner_h
 #define waker_campaign_realisation_runner_h
 
+#include <waker/base/interrupt.h>
 #include <waker/campaign/random_properties.h>
 #include <waker/simulation/attempts.h>
 #include <waker/simulation/realisation.h>
 #include <waker/store/record.h>
 
-#include <csignal>
 #include <optional>
 #include <string>
 #include <vector>
@@ -64,21 +64,21 @@ namespace Waker
      * @return nothing if interrupted
      */
     std::optional<Record>
-    run(const double *noise, const volatile std::sig_atomic_t *interrupt);
+    run(const double *noise, const Interrupt &interrupt);
 
     /// run() for realisation i of a campaign, with its realisation_noise().
     std::optional<Record>
-    run(const std::uint64_t               seed,
-        const std::uint64_t               realisation,
-        const volatile std::sig_atomic_t *interrupt);
+    run(const std::uint64_t seed,
+        const std::uint64_t realisation,
+        const Interrupt    &interrupt);
 
   private:
     /// @return false if interrupted
     bool
-    record_run(const Case<dim>                  &the_case,
-               const volatile std::sig_atomic_t *interrupt,
-               State<dim>                       &state,
-               Record                           &record) const;
+    record_run(const Case<dim> &the_case,
+               const Interrupt &interrupt,
+               State<dim>      &state,
+               Record          &record) const;
 
     Attempts<dim>         cases;
     RandomProperties<dim> random_properties;

@@ -2,11 +2,11 @@
 #ifndef waker_loads_water_load_h
 #define waker_loads_water_load_h
 
-#include <waker/base/time_function.h>
 #include <waker/grid/background_grid.h>
 #include <waker/loads/facet_load.h>
 #include <waker/loads/liquid.h>
 #include <waker/loads/parameters.h>
+#include <waker/loads/water_level.h>
 #include <waker/loads/wetted_surface.h>
 #include <waker/nodes/nodal_vector.h>
 #include <waker/surface/shape/surface.h>
@@ -60,33 +60,18 @@ namespace Waker
     WaterLoad(const BackgroundGrid<dim> &grid,
               const WaterParameters     &parameters);
 
-    /// Level at time t (s), in m.
-    double
-    level(const double t) const
+    /// Of the water in time.
+    const WaterLevel &
+    level() const
     {
-      return parameters.level + rise.value(t);
+      return level_in_time;
     }
-
-    /// Does the level depend on the time?
-    bool
-    moves() const
-    {
-      return parameters.stands() && rise.moves();
-    }
-
-    /// The last time at which the load changes (s): see LastChange.
-    double
-    last_change() const;
-
-    /// Does the load change between two times?
-    bool
-    varies(const double from, const double to) const;
 
     /// From now on the water stands as at time t (s).
     void
     set_time(const double t)
     {
-      set_level(level(t));
+      set_level(level_in_time.at(t));
     }
 
     /// From now on the water stands at this level (m).
@@ -154,7 +139,7 @@ namespace Waker
   private:
     const BackgroundGrid<dim> *grid;
     WaterParameters            parameters;
-    TimeFunction               rise;
+    WaterLevel                 level_in_time;
     Liquid                     liquid;
     std::vector<LoadedSegment> wetted;
     Facets<dim>                facets;

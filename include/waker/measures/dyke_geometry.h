@@ -2,6 +2,7 @@
 #ifndef waker_measures_dyke_geometry_h
 #define waker_measures_dyke_geometry_h
 
+#include <waker/base/numbers.h>
 #include <waker/surface/shape/surface.h>
 
 #include <array>
@@ -20,11 +21,11 @@ namespace Waker
     /// lower than any level: -infinity.
     double height = -std::numeric_limits<double>::infinity();
     /// Where W is measured (m); NaN: nowhere.
-    double level = std::numeric_limits<double>::quiet_NaN();
+    double level = nan;
     /// W: total width of the soil that rises above the level, at that level
     /// (m). A crest exactly at the level counts as not above it. NaN if there
     /// is no level.
-    double width = std::numeric_limits<double>::quiet_NaN();
+    double width = nan;
     /// The intervals [x0, x1] of soil at the water level, from left to right:
     /// W may be a sum of parts (fig. 5.2e).
     std::vector<std::array<double, 2>> parts;
