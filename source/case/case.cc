@@ -124,7 +124,7 @@ namespace Waker
     };
     const bool         has_water = parameters.water.stands();
     const DykeGeometry dyke =
-      measure_dyke(scene.surfaces.chains(), parameters.water.level);
+      measure_dyke(scene.surfaces.section(), parameters.water.level);
     if (dyke.width > 0.)
       {
         const double water = scene.water_level(0.);
@@ -161,8 +161,7 @@ namespace Waker
     scene.tractions.check_something_is_loaded();
     last_load_change = declared_last_load_change(scene);
     measuring_level  = checked_measuring_level(scene);
-    water_touches    = !scene.water.wetted_segments().empty() ||
-                    !scene.water.wetted_facets().empty();
+    water_touches    = scene.water.touches();
     scene.tractions.fix_point_loads(points);
     scene.tractions.ride(points, riding_loads);
     for (std::size_t i = 0; i < scene.tractions.size(); ++i)

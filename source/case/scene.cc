@@ -17,7 +17,9 @@ namespace Waker
                the_case.parameters.surface,
                weights.functions(),
                the_case.fixities.closed_faces())
-    , water(the_case.grid, the_case.parameters.water)
+    , water(the_case.grid,
+            the_case.parameters.water,
+            the_case.parameters.surface)
     , tractions(the_case.grid,
                 the_case.parameters.tractions,
                 the_case.user_surfaces,
@@ -175,8 +177,7 @@ namespace Waker
   Scene<dim>::set_loads(const MaterialPoints<dim> &points, const double time)
   {
     set_gravity<dim>(the_case->parameters.gravity.acceleration, nodes);
-    water.set_time(time);
-    water.find(surfaces);
+    water.find(surfaces, time);
     water.add_nodal_forces(nodes.mass,
                            the_case->full_node_mass,
                            nodes.external_force);

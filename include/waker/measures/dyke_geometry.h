@@ -3,7 +3,7 @@
 #define waker_measures_dyke_geometry_h
 
 #include <waker/base/numbers.h>
-#include <waker/surface/shape/surface.h>
+#include <waker/surface/shape/facet.h>
 
 #include <array>
 #include <limits>
@@ -31,9 +31,10 @@ namespace Waker
     std::vector<std::array<double, 2>> parts;
   };
 
+  /// @param section segments of closed chains
   /// @param level (m) at which W is measured, or NaN. Holes count as no soil.
   DykeGeometry
-  measure_dyke(const Surface &surface, const double level);
+  measure_dyke(const Facets<2> &section, const double level);
 } // namespace Waker
 
 #endif
