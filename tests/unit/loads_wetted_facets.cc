@@ -2,6 +2,7 @@
 #include <waker/surface/proximity_field.h>
 
 #include "named.h"
+#include "rectangles.h"
 #include "standing_water.h"
 #include <cmath>
 #include <functional>
@@ -34,19 +35,6 @@ namespace loads_wetted_facets
       parameters.level       = level;
       parameters.unit_weight = gamma_w;
       return parameters;
-    }
-
-    // Two triangles; the body is behind them, seen anticlockwise.
-    void
-    add_rectangle(Facets<3>      &facets,
-                  const Point<3> &a,
-                  const Point<3> &b,
-                  const Point<3> &c,
-                  const int       on_face = -1)
-    {
-      const Point<3> d = a + (c - b);
-      facets.push_back(make_facet<3>({{a, b, c}}, on_face));
-      facets.push_back(make_facet<3>({{a, c, d}}, on_face));
     }
 
     // Only those faces of a box that a bit of `faces` names.
@@ -118,49 +106,6 @@ namespace loads_wetted_facets
       return sum;
     }
   } // namespace
-
-
-
-  TEST(Boundary, facets_are_linked_through_common_and_overlapping_sides)
-  {
-    // A rectangle beside two of half its height: sides overlap along y.
-    Facets<3> facets;
-    add_rectangle(facets,
-                  Point<3>(0, 0, 0),
-                  Point<3>(1, 0, 0),
-                  Point<3>(1, 2, 0));
-    add_rectangle(facets,
-                  Point<3>(1, 0, 0),
-                  Point<3>(2, 0, 0),
-                  Point<3>(2, 1, 0));
-    add_rectangle(facets,
-                  Point<3>(1, 1, 0),
-                  Point<3>(2, 1, 0),
-                  Point<3>(2, 2, 0));
-    add_rectangle(facets,
-                  Point<3>(5, 0, 0),
-                  Point<3>(6, 0, 0),
-                  Point<3>(6, 1, 1));
-
-    FacetLinks             finder;
-    std::vector<FacetLink> links;
-    finder.find(facets, 1e-6, links);
-    // Four diagonals, two overlaps with the first, one between the halves.
-    ASSERT_EQ(links.size(), 7u);
-    double length = 0.;
-    for (const FacetLink &link : links)
-      {
-        ASSERT_LT(link.facets[0], facets.size());
-        if (link.from[0] == 1. && link.to[0] == 1.)
-          length += link.from.distance(link.to);
-      }
-    EXPECT_NEAR(length, 2., 1e-14);
-    std::vector<unsigned int> part;
-    EXPECT_EQ(find_parts(facets.size(), links, part), 2u);
-    EXPECT_EQ(part[0], part[5]);
-    EXPECT_NE(part[0], part[6]);
-    EXPECT_EQ(part[6], part[7]);
-  }
 
 
 
