@@ -10,10 +10,7 @@ namespace Waker::FragilityPoints
   inline FragilityPoint
   point(const double level, const std::uint64_t count, const std::uint64_t n)
   {
-    return {level,
-            5. - level,
-            proportion(count + 10, n),
-            proportion(count, n)};
+    return {level, 5. - level, proportion(count + 10, n), proportion(count, n)};
   }
 } // namespace Waker::FragilityPoints
 
