@@ -6,7 +6,7 @@
 // seconds that it took to find out which. Over a whole run of the weak dyke:
 // what detection, load and all of a step take on average (s), and the shares of
 // the first two, with the proximity field and with the contour.
-#include <waker/loads/water_load.h>
+#include <waker/loads/wet_section.h>
 #include <waker/program/parameter_reader.h>
 #include <waker/surface/boxes/box_union_contour.h>
 #include <waker/surface/domain_contour.h>
@@ -126,7 +126,7 @@ namespace WakerBenchmarks
                                 parameters->surface,
                                 ShapeFunctions::gimp,
                                 the_case.fixities.closed_faces());
-      WaterLoad<2>     water(the_case.grid, parameters->water);
+      WetSection<2>    water(the_case.grid, parameters->water.side);
       NodalState       nodes(the_case.grid);
 
       double        detection = 0., load = 0., steps = 0.;
@@ -143,13 +143,16 @@ namespace WakerBenchmarks
               if (!goes_on)
                 break;
               surfaces.reset(state.points);
-              const Surface &surface  = surfaces.chains();
-              const double   detected = cpu_time();
-              water.find_wetted_segments(surface);
-              water.add_nodal_forces(realisation.view().scene.nodes.mass,
-                                     the_case.full_node_mass,
+              surfaces.section();
+              const double  detected = cpu_time();
+              const Liquid &liquid   = realisation.view().scene.water.now();
+              water.find(surfaces, liquid.level);
+              water.add_nodal_forces(liquid,
+                                     realisation.view().scene.nodes.mass,
+                                     parameters->water.minimum_support *
+                                       the_case.full_node_mass,
                                      nodes.external_force);
-              benchmark::DoNotOptimize(water.resultant());
+              benchmark::DoNotOptimize(water.resultant(liquid));
               const double loaded = cpu_time();
               realisation.advance();
               steps += seen - start + cpu_time() - loaded;

@@ -232,10 +232,10 @@ namespace WakerBenchmarks
     {
       for (auto _ : timer)
         {
-          // Chains for the observers, facets for the water.
+          // The section for the observers, in space the body for the water.
           m.scene.surfaces.reset(m.points);
-          m.scene.surfaces.chains();
-          if (m.scene.surfaces.is_spatial())
+          m.scene.surfaces.section();
+          if (dim == 3)
             m.scene.surfaces.facets();
         }
     }
@@ -249,7 +249,7 @@ namespace WakerBenchmarks
       force.reinit(m.scene.nodes.external_force);
       for (auto _ : timer)
         {
-          m.scene.water.find(m.scene.surfaces);
+          m.scene.water.find(m.scene.surfaces, 0.);
           m.scene.water.add_nodal_forces(m.scene.nodes.mass,
                                          m.the_case.full_node_mass,
                                          force);

@@ -54,6 +54,19 @@ def water_reach(segments, level, side):
     return x.min() if side == "left" else x.max()
 
 
+def section_lines(surface):
+    """Points (n, 2) of the segments of a section: lines in 2D; of a prismatic body
+    the sides of its triangles at the back, in their order."""
+    lines = surface.get_cells_type("line")
+    triangles = surface.get_cells_type("triangle")
+    if len(lines) > 0 or len(triangles) == 0:
+        return lines
+    z = surface.points[:, 2]
+    at_back = z[triangles] == z.min()
+    sides = at_back.sum(axis=1) == 2
+    return triangles[sides][at_back[sides]].reshape(-1, 2)
+
+
 def read_surface(run, time):
     """Segments (n, 2, 2) of the detected surface with their chains, and the water
     level as the wetted lines have it (None if they do not tell); of this time,
@@ -62,11 +75,13 @@ def read_surface(run, time):
         if abs(surface_time - time) > 1e-6 or not os.path.exists(path):
             continue
         surface = meshio.read(path)
-        lines = surface.get_cells_type("line")
-        # A body in space has triangles, a body that has left has nothing.
+        lines = section_lines(surface)
+        # A body in space has no section, a body that has left has nothing.
         if "chain" not in surface.point_data or len(lines) == 0:
             break
         chain = surface.point_data["chain"].ravel()[lines[:, 0]]
+        if not (chain >= 0).any():
+            break
         segments = surface.points[:, :2][lines]
         pressure = surface.point_data["pressure"].ravel()
         deepest = int(np.argmax(pressure))

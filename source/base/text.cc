@@ -107,6 +107,19 @@ namespace Waker
   }
 
 
+  std::string
+  either(const std::vector<std::string> &alternatives)
+  {
+    std::string text;
+    for (std::size_t i = 0; i < alternatives.size(); ++i)
+      text += (i == 0                        ? ""
+               : i + 1 < alternatives.size() ? ", "
+                                             : " or ") +
+              alternatives[i];
+    return text;
+  }
+
+
   bool
   is_plain_text(const std::string &text)
   {

@@ -31,14 +31,12 @@ namespace Waker
     public:
       /// @param so_far goes on from there
       /// @param begun when this process began with the realisation
-      RecordWatcher(const bool                        inner_is_positive,
-                    const volatile std::sig_atomic_t *interrupt,
-                    const State<dim>                 &state,
-                    Unfinished                       &so_far,
-                    const Clock::time_point           begun,
-                    Keeper                           &keeper)
+      RecordWatcher(const bool              inner_is_positive,
+                    const State<dim>       &state,
+                    Unfinished             &so_far,
+                    const Clock::time_point begun,
+                    Keeper                 &keeper)
         : inner_is_positive(inner_is_positive)
-        , interrupt(interrupt)
         , state(state)
         , so_far(so_far)
         , begun(begun)
@@ -46,8 +44,8 @@ namespace Waker
         , keeper(keeper)
       {}
 
-      bool
-      looked(const StopReason stop) override
+      void
+      looked(const StopReason stop, const bool last) override
       {
         const FailureRecord &failure = state.failure;
         so_far.tracer.add(state.time, failure.geometry);
@@ -61,26 +59,21 @@ namespace Waker
             so_far.record.first_outward =
               moved_soil(state.points, !inner_is_positive);
           }
-        if (stop != StopReason::none)
-          return true;
-        const bool go_on = interrupt == nullptr || *interrupt == 0;
-        if (keeper.is_due(state.time, !go_on))
+        if (stop == StopReason::none && keeper.is_due(state.time, last))
           {
             so_far.state     = state.write();
             so_far.wall_time = earlier_time + seconds_since(begun);
             keeper.keep(state.step, state.time, so_far.write());
           }
-        return go_on;
       }
 
     private:
-      const bool                              inner_is_positive;
-      const volatile std::sig_atomic_t *const interrupt;
-      const State<dim>                       &state;
-      Unfinished                             &so_far;
-      const Clock::time_point                 begun;
-      const double                            earlier_time; // s
-      Keeper                                 &keeper;
+      const bool              inner_is_positive;
+      const State<dim>       &state;
+      Unfinished             &so_far;
+      const Clock::time_point begun;
+      const double            earlier_time; // s
+      Keeper                 &keeper;
     };
   } // namespace
 
@@ -110,6 +103,7 @@ namespace Waker
   bool
   RealisationRunner<dim>::record_run(const Case<dim> &the_case,
                                      Watcher         &watcher,
+                                     const Interrupt &interrupt,
                                      State<dim>      &state,
                                      Unfinished      &so_far) const
   {
@@ -119,7 +113,7 @@ namespace Waker
     Realisation<dim> realisation(the_case, state);
     try
       {
-        const StopReason stop = run_to_end(realisation, watcher);
+        const StopReason stop = run_to_end(realisation, watcher, interrupt);
         if (stop == StopReason::none)
           return false;
         record.stop_reason = to_string(stop);
@@ -154,7 +148,7 @@ namespace Waker
   std::optional<Record>
   RealisationRunner<dim>::run_attempts(
     const std::function<const double *()> &noise,
-    const volatile std::sig_atomic_t      *interrupt,
+    const Interrupt                       &interrupt,
     Keeper                                &keeper)
   {
     const Clock::time_point start = Clock::now();
@@ -202,12 +196,11 @@ namespace Waker
         so_far.wall_time = earlier_time;
         RecordWatcher<dim> watcher(the_case.parameters.water.inner_direction() >
                                      0,
-                                   interrupt,
                                    state,
                                    so_far,
                                    start,
                                    keeper);
-        interrupted = !record_run(the_case, watcher, state, so_far);
+        interrupted = !record_run(the_case, watcher, interrupt, state, so_far);
         return interrupted ||
                so_far.record.outcome != Outcome::numerical_failure;
       },
@@ -221,8 +214,7 @@ namespace Waker
 
   template <int dim>
   std::optional<Record>
-  RealisationRunner<dim>::run(const double                     *noise,
-                              const volatile std::sig_atomic_t *interrupt)
+  RealisationRunner<dim>::run(const double *noise, const Interrupt &interrupt)
   {
     Keeper nobody;
     return run_attempts([=]() { return noise; }, interrupt, nobody);
@@ -231,10 +223,10 @@ namespace Waker
 
   template <int dim>
   std::optional<Record>
-  RealisationRunner<dim>::run(const std::uint64_t               seed,
-                              const std::uint64_t               realisation,
-                              const volatile std::sig_atomic_t *interrupt,
-                              Keeper                           &keeper)
+  RealisationRunner<dim>::run(const std::uint64_t seed,
+                              const std::uint64_t realisation,
+                              const Interrupt    &interrupt,
+                              Keeper             &keeper)
   {
     std::vector<double>   noise;
     std::optional<Record> record = run_attempts(

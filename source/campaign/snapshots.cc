@@ -138,11 +138,11 @@ namespace Waker
 
   template <int dim>
   bool
-  make_snapshots(const Scenarios                  &scenarios,
-                 const std::string                &folder,
-                 const std::string                &hash,
-                 const volatile std::sig_atomic_t *interrupt,
-                 const MPI_Comm                    communicator)
+  make_snapshots(const Scenarios   &scenarios,
+                 const std::string &folder,
+                 const std::string &hash,
+                 const Interrupt   &interrupt,
+                 const MPI_Comm     communicator)
   {
     const SnapshotParameters &wanted = scenarios[0]->reliability.snapshots;
     if (wanted.first == 0 && wanted.of_each_outcome == 0 &&
@@ -202,12 +202,12 @@ namespace Waker
   make_snapshots<2>(const Scenarios &,
                     const std::string &,
                     const std::string &,
-                    const volatile std::sig_atomic_t *,
+                    const Interrupt &,
                     const MPI_Comm);
   template bool
   make_snapshots<3>(const Scenarios &,
                     const std::string &,
                     const std::string &,
-                    const volatile std::sig_atomic_t *,
+                    const Interrupt &,
                     const MPI_Comm);
 } // namespace Waker

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/base/numbers.h>
 #include <waker/base/text.h>
 #include <waker/case/case.h>
 #include <waker/case/initial_properties.h>
@@ -85,8 +86,7 @@ namespace Waker
     declare_material_variables(materials, initial_points);
     InitialProperties<dim>(materials, depths)
       .set(layers_of_points, initial_points);
-    if (p.mapping.domains == SupportDomains::stretched)
-      prepare_deformation(initial_points);
+    prepare_domains(p.mapping.domains, initial_points);
     check_run_sizes(run_sizes(*this), p);
     set_initial_state();
   }
@@ -124,7 +124,7 @@ namespace Waker
     };
     const bool         has_water = parameters.water.stands();
     const DykeGeometry dyke =
-      measure_dyke(scene.surfaces.chains(), parameters.water.level);
+      measure_dyke(scene.surfaces.section(), parameters.water.level);
     if (dyke.width > 0.)
       {
         const double water = scene.water_level(0.);
@@ -147,7 +147,7 @@ namespace Waker
                                " m, and is flooded"),
                       "a level within the height of the soil (or Water/Side = "
                       "none)");
-    return std::numeric_limits<double>::quiet_NaN();
+    return nan;
   }
 
 
@@ -161,8 +161,7 @@ namespace Waker
     scene.tractions.check_something_is_loaded();
     last_load_change = declared_last_load_change(scene);
     measuring_level  = checked_measuring_level(scene);
-    water_touches    = !scene.water.wetted_segments().empty() ||
-                    !scene.water.wetted_facets().empty();
+    water_touches    = scene.water.touches();
     scene.tractions.fix_point_loads(points);
     scene.tractions.ride(points, riding_loads);
     for (std::size_t i = 0; i < scene.tractions.size(); ++i)

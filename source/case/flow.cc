@@ -21,18 +21,6 @@ namespace Waker
     }
 
 
-    /// Does this condition hold the motion through the face?
-    template <int dim>
-    bool
-    holds_normal(const FixityParameters &condition,
-                 const unsigned int      direction)
-    {
-      if (condition.type != FixityType::prescribed)
-        return true;
-      return split(condition.displacement, ';')[direction] != "free";
-    }
-
-
     /// Do its nodes fill more than an edge of the opening? On `face`.
     template <int dim>
     bool
@@ -119,7 +107,7 @@ namespace Waker
     const auto is_whole_and_held = [&](const FixityParameters &condition,
                                        const unsigned int      f) {
       return condition.region == region_of(f) && condition.from.empty() &&
-             condition.to.empty() && holds_normal<dim>(condition, f / 2);
+             condition.to.empty() && condition.holds(f / 2);
     };
     for (unsigned int f = 0; f < 2 * dim; ++f)
       for (const FixityParameters &condition : parameters.fixities)
@@ -140,11 +128,7 @@ namespace Waker
                           "is " + std::string(name_of(inflow.face)) +
                             ", which is in Outflow/Faces",
                           "another face");
-        if (!scheme.is_implicit)
-          throw UserError("Time stepping/Scheme",
-                          std::string("is ") + name_of(parameters.time.scheme) +
-                            ", but there is an inflow",
-                          "Newmark or quasi-static");
+        require_implicit(parameters.time, "there is an inflow");
         typename Feeder<dim>::Variables variables;
         for (const MaterialVariable &variable : materials[m]->variables())
           {
@@ -180,7 +164,7 @@ namespace Waker
                             feeder.lower(),
                             feeder.upper(),
                             grid.cell_size()) &&
-              holds_normal<dim>(condition, face / 2))
+              condition.holds(face / 2))
             throw UserError(path,
                             "the opening on " +
                               std::string(name_of(inflow.face)) +

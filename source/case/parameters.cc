@@ -6,8 +6,8 @@
 #include <waker/base/errors.h>
 #include <waker/base/numbers.h>
 #include <waker/base/sizes.h>
-#include <waker/base/time_function.h>
 #include <waker/case/parameters.h>
+#include <waker/loads/water_level.h>
 #include <waker/mechanics/time_scheme.h>
 
 #include <algorithm>
@@ -130,8 +130,7 @@ namespace Waker
                           " m (or Water/Side = none)");
       // Nor may the water, which need not begin at this level. (Where the
       // detected surface is lower, the case says so.)
-      const double at_start =
-        water.level + TimeFunction(water.rise, "Water/Rise").value(0.);
+      const double at_start = WaterLevel(water).at(0.);
       if (at_start >= crest)
         throw UserError("Water/Rise",
                         "puts the water at " + number(at_start) +
@@ -290,11 +289,8 @@ namespace Waker
       load.check(dimension);
     for (const WallParameters &wall : walls)
       wall.check(dimension);
-    if (!walls.empty() && !scheme_traits(time).is_implicit)
-      throw UserError("Time stepping/Scheme",
-                      std::string("is ") + name_of(time.scheme) +
-                        ", but there are walls off the grid",
-                      "Newmark or quasi-static");
+    if (!walls.empty())
+      require_implicit(time, "there are walls off the grid");
     outflow.open_faces(dimension);
     for (const InflowParameters &inflow : inflows)
       inflow.check(dimension);

@@ -17,7 +17,9 @@ namespace Waker
                the_case.parameters.surface,
                weights.functions(),
                the_case.fixities.closed_faces())
-    , water(the_case.grid, the_case.parameters.water)
+    , water(the_case.grid,
+            the_case.parameters.water,
+            the_case.parameters.surface)
     , tractions(the_case.grid,
                 the_case.parameters.tractions,
                 the_case.user_surfaces,
@@ -135,21 +137,8 @@ namespace Waker
   bool
   Scene<dim>::loads_move() const
   {
-    return water.moves() || tractions.moves();
+    return water.level().moves() || tractions.moves();
   }
-
-
-  namespace
-  {
-    /// The time from which all of the weight and the loads acts (s).
-    double
-    full_loads_from(const TimeParameters &time)
-    {
-      return !scheme_traits(time).has_inertia && time.load_duration > 0.
-               ? time.load_duration
-               : LastChange::never;
-    }
-  } // namespace
 
 
   template <int dim>
@@ -157,7 +146,7 @@ namespace Waker
   Scene<dim>::last_load_change(const double unknown) const
   {
     double last = full_loads_from(the_case->parameters.time);
-    for (const double change : {water.last_change(),
+    for (const double change : {water.level().last_change(),
                                 tractions.last_change(),
                                 walls.last_change(),
                                 the_case->fixities.last_change()})
@@ -172,7 +161,7 @@ namespace Waker
   {
     if (full_loads_from(the_case->parameters.time) > from)
       return "Time stepping/Load duration";
-    if (water.varies(from, to))
+    if (water.level().varies(from, to))
       return "Water/Rise";
     for (const std::string &path : {tractions.varying(from, to),
                                     walls.varying(from, to),
@@ -188,8 +177,7 @@ namespace Waker
   Scene<dim>::set_loads(const MaterialPoints<dim> &points, const double time)
   {
     set_gravity<dim>(the_case->parameters.gravity.acceleration, nodes);
-    water.set_time(time);
-    water.find(surfaces);
+    water.find(surfaces, time);
     water.add_nodal_forces(nodes.mass,
                            the_case->full_node_mass,
                            nodes.external_force);
@@ -232,7 +220,7 @@ namespace Waker
   double
   Scene<dim>::water_level(const double time) const
   {
-    return water.level(time);
+    return water.level().at(time);
   }
 
 

@@ -17,6 +17,14 @@ namespace Waker
     constexpr double most_snapshots = 1e5;
 
 
+    /// Does each step of the scheme factorise a matrix?
+    bool
+    factorises(const TimeParameters &time)
+    {
+      return !scheme_traits(time).has_inertia;
+    }
+
+
     /// Bytes of the largest thing that is solved at once.
     template <int dim>
     double
@@ -25,7 +33,7 @@ namespace Waker
                   const double      n_nodes)
     {
       const bool gravity = parameters.gravity.initial_stress;
-      const bool direct  = !scheme_traits(parameters.time).has_inertia;
+      const bool direct  = factorises(parameters.time);
       if (dim == 3 || !(gravity || direct))
         return 8. * 60. * dim * n_nodes; // basis of the Krylov space
       // Of a factor of a plane grid's matrix: some 10 n log2(n) entries of
@@ -49,16 +57,13 @@ namespace Waker
     const TimeParameters   &time   = parameters.time;
     const OutputParameters &output = parameters.output;
     RunSizes                sizes;
-    const SchemeTraits      scheme = scheme_traits(time);
-    sizes.time_step                = scheme.is_implicit
-                                       ? time.time_step
-                                       : time.courant_number * parameters.grid.cell_size /
-                            wave_speed(materials);
+    sizes.time_step =
+      first_time_step(time, materials, parameters.grid.cell_size);
     sizes.steps = std::ceil(time.end_time / sizes.time_step * (1. - 1e-12));
 
     // Microseconds per point and step: see doc/verification/performance.md. A
     // quasi-static step factorises a matrix in each iteration.
-    const double per_step = !scheme.has_inertia ? 30. : dim == 2 ? 0.4 : 2.;
+    const double per_step = factorises(time) ? 30. : dim == 2 ? 0.4 : 2.;
     sizes.computing       = 1e-6 * per_step * n_points * sizes.steps;
 
     const double per_point =

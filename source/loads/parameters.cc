@@ -4,6 +4,7 @@
 #include <waker/base/choice_parameter.h>
 #include <waker/base/errors.h>
 #include <waker/base/expression_pattern.h>
+#include <waker/base/numbers.h>
 #include <waker/base/text.h>
 #include <waker/loads/parameters.h>
 
@@ -30,8 +31,7 @@ namespace Waker
                       "seen by the height only.");
     prm.add_action("Level", [this](const std::string &text) {
       level_text = tidy(text);
-      level =
-        plain_number(text).value_or(std::numeric_limits<double>::quiet_NaN());
+      level      = plain_number(text).value_or(nan);
     });
     prm.add_parameter("Rise",
                       rise,

@@ -44,6 +44,36 @@ namespace Waker
   }
 
 
+  namespace
+  {
+    /// The methods of which these facts are true.
+    template <typename Condition>
+    std::string
+    methods_that(const Condition &holds)
+    {
+      std::vector<std::string> names;
+      for (const TractionMethod method : all_choices<TractionMethod>())
+        if (holds(facts_of(method)))
+          names.emplace_back(name_of(method));
+      return either(names);
+    }
+
+
+    bool
+    may_have_file(const MethodFacts &facts)
+    {
+      return facts.needs_file || facts.on_points;
+    }
+
+
+    bool
+    can_go_with_soil(const MethodFacts &facts)
+    {
+      return facts.can_ride || facts.is_fixed;
+    }
+  } // namespace
+
+
   bool
   TractionParameters::rides() const
   {
@@ -66,7 +96,7 @@ namespace Waker
   TractionParameters::has_user_surface() const
   {
     const MethodFacts facts = facts_of(method);
-    return facts.needs_file || (facts.on_points && !surface_file.empty());
+    return facts.needs_file || (may_have_file(facts) && !surface_file.empty());
   }
 
 
@@ -140,9 +170,9 @@ namespace Waker
       "and Facing select at the start, wherever it goes; a vector keeps its "
       "resultant, a pressure turns and stretches with the soil. space: what "
       "they select now; soil that leaves the box loses its load. automatic: "
-      "soil for a vector or pressure in a box on the contour, the proximity "
-      "field or a user surface, otherwise space. Fixed points carry their "
-      "loads themselves.");
+      "soil for a vector or pressure in a box, if Method is " +
+        methods_that([](const MethodFacts &facts) { return facts.can_ride; }) +
+        "; otherwise space. Fixed points carry their loads themselves.");
     prm.add_parameter("Holes",
                       holes,
                       "proximity field and contour: load the holes inside a "
@@ -185,15 +215,14 @@ namespace Waker
                       "or Kinematics and mapping/Functions = linear");
     if (facts.needs_file && surface_file.empty())
       throw UserError(path + "Surface file",
-                      "is empty, but Method is user surface",
+                      "is empty, but Method is " + std::string(name_of(method)),
                       "the file with the surface that is loaded");
-    if (!surface_file.empty() && !facts.needs_file && !facts.on_points)
+    if (!surface_file.empty() && !may_have_file(facts))
       throw UserError(path + "Surface file",
                       "is given, but the method \"" +
                         std::string(name_of(method)) +
                         "\" finds its surface by itself",
-                      "nothing, or Method = user surface, fixed points or "
-                      "updated points");
+                      "nothing, or Method = " + methods_that(may_have_file));
     if (kind == TractionKind::hydrostatic && tidy(level).empty())
       throw UserError(path + "Level",
                       "is empty, but Kind is hydrostatic",
@@ -231,17 +260,21 @@ namespace Waker
                       "is soil, but Kind is hydrostatic: a liquid stays where "
                       "it stands",
                       "space or automatic; or Kind = pressure");
-    if (follows == TractionFollows::soil && !facts.can_ride && !facts.is_fixed)
+    if (follows == TractionFollows::soil && !can_go_with_soil(facts))
       throw UserError(path + "Follows",
                       "is soil, but the method \"" +
                         std::string(name_of(method)) +
                         "\" finds its surface anew in every step",
-                      "space or automatic; or Method = contour, proximity "
-                      "field, user surface or fixed points");
+                      "space or automatic; or Method = " +
+                        methods_that(can_go_with_soil));
     if (follows == TractionFollows::space && facts.is_fixed)
       throw UserError(path + "Follows",
-                      "is space, but fixed points carry their loads with them",
-                      "soil or automatic; or Method = updated points");
+                      "is space, but " + std::string(name_of(method)) +
+                        " carry their loads with them",
+                      "soil or automatic; or Method = " +
+                        methods_that([](const MethodFacts &other) {
+                          return other.on_points && !other.is_fixed;
+                        }));
     // Can its values be read, also those of another kind?
     if (!tidy(level).empty())
       TimeFunction(level, path + "Level");

@@ -7,6 +7,44 @@ namespace Waker
 {
   namespace
   {
+    // The first chain of a section: segment k runs from vertex k to k + 1.
+    class Chain
+    {
+    public:
+      explicit Chain(const Facets<2> &section)
+        : segments(section)
+        , n(std::find_if(section.begin(),
+                         section.end(),
+                         [&](const Facet<2> &segment) {
+                           return segment.chain != section.front().chain;
+                         }) -
+            section.begin())
+      {}
+
+      std::size_t
+      size() const
+      {
+        return n;
+      }
+
+      const Point<2> &
+      vertex(const std::size_t k) const
+      {
+        return segments[k].vertices[0];
+      }
+
+      int
+      on_face(const std::size_t k) const
+      {
+        return segments[k].on_face;
+      }
+
+    private:
+      const Facets<2>  &segments;
+      const std::size_t n;
+    };
+
+
     // Where the walk along the surface starts: a vertex of the chain.
     struct Toe
     {
@@ -16,22 +54,22 @@ namespace Waker
 
 
     Toe
-    find_toe(const SurfaceChain &chain,
-             const bool          water_left,
-             const double        bottom_height,
-             const double        cell_size)
+    find_toe(const Chain &chain,
+             const bool   water_left,
+             const double bottom_height,
+             const double cell_size)
     {
       constexpr int     bottom = 2;
-      const std::size_t n      = chain.vertices.size();
+      const std::size_t n      = chain.size();
 
       // The bottom runs from left to right, the body above it.
       std::size_t toe   = n;
       const auto  outer = [&](const std::size_t a, const std::size_t b) {
-        return water_left ? chain.vertices[a][0] < chain.vertices[b][0]
-                           : chain.vertices[a][0] > chain.vertices[b][0];
+        return water_left ? chain.vertex(a)[0] < chain.vertex(b)[0]
+                           : chain.vertex(a)[0] > chain.vertex(b)[0];
       };
       for (std::size_t k = 0; k < n; ++k)
-        if (chain.on_face[k] == bottom)
+        if (chain.on_face(k) == bottom)
           {
             const std::size_t end = water_left ? k : (k + 1) % n;
             if (toe == n || outer(end, toe))
@@ -41,12 +79,12 @@ namespace Waker
         return {toe, false};
 
       // The lowest vertex; the detected line of a flat underside scatters.
-      double lowest = chain.vertices[0][1];
-      for (const Point<2> &x : chain.vertices)
-        lowest = std::min(lowest, x[1]);
+      double lowest = chain.vertex(0)[1];
+      for (std::size_t k = 0; k < n; ++k)
+        lowest = std::min(lowest, chain.vertex(k)[1]);
       const double tolerance = 0.25 * cell_size;
       for (std::size_t k = 0; k < n; ++k)
-        if (chain.vertices[k][1] <= lowest + tolerance &&
+        if (chain.vertex(k)[1] <= lowest + tolerance &&
             (toe == n || outer(k, toe)))
           toe = k;
       return {toe, lowest > bottom_height + cell_size};
@@ -57,20 +95,20 @@ namespace Waker
     // face other than `wall`, and collect what is wet.
     // @return true if the walk came back to its start
     bool
-    walk(const SurfaceChain         &chain,
-         const std::size_t           start,
-         const bool                  backwards,
-         const int                   wall,
-         const double                level,
-         const double                tolerance,
-         std::vector<LoadedSegment> &wetted)
+    walk(const Chain      &chain,
+         const std::size_t start,
+         const bool        backwards,
+         const int         wall,
+         const double      level,
+         const double      tolerance,
+         Facets<2>        &wetted)
     {
-      const std::size_t n    = chain.vertices.size();
+      const std::size_t n    = chain.size();
       const auto        next = [=](const std::size_t k) {
         return backwards ? (k + n - 1) % n : (k + 1) % n;
       };
       const auto face = [&](const std::size_t k) {
-        return chain.on_face[backwards ? next(k) : k];
+        return chain.on_face(backwards ? next(k) : k);
       };
 
       std::size_t k        = start;
@@ -80,8 +118,8 @@ namespace Waker
 
       for (; n_walked < n; ++n_walked, k = next(k))
         {
-          const Point<2> &from = chain.vertices[k];
-          Point<2>        to   = chain.vertices[next(k)];
+          const Point<2> &from = chain.vertex(k);
+          Point<2>        to   = chain.vertex(next(k));
           if (from[1] > level || (face(k) >= 0 && face(k) != wall))
             return false;
 
@@ -102,7 +140,10 @@ namespace Waker
               Tensor<1, 2> normal;
               normal[0] = -side * along[1] / length;
               normal[1] = side * along[0] / length;
-              wetted.push_back({from, to, normal});
+              Facet<2> wet;
+              wet.vertices = {{from, to}};
+              wet.normal   = normal;
+              wetted.push_back(wet);
             }
           // A crest at the level keeps the water out, whatever round-off says.
           if (to[1] >= level - tolerance)
@@ -114,23 +155,23 @@ namespace Waker
 
 
   void
-  find_wetted_segments(const Surface              &surface,
-                       const bool                  water_left,
-                       const double                level,
-                       const double                bottom,
-                       const double                cell_size,
-                       std::vector<LoadedSegment> &wetted)
+  find_wetted_segments(const Facets<2> &section,
+                       const bool       water_left,
+                       const double     level,
+                       const double     bottom,
+                       const double     cell_size,
+                       Facets<2>       &wetted)
   {
     wetted.clear();
-    if (surface.chains.empty())
+    if (section.empty())
       return;
 
     // With the water on the left, up the outer slope is against the chain.
-    const SurfaceChain &chain     = surface.chains[0];
-    const double        tolerance = 1e-9 * cell_size;
-    const Toe           toe  = find_toe(chain, water_left, bottom, cell_size);
-    const int           wall = water_left ? 0 : 1;
-    const bool          is_round =
+    const Chain  chain(section);
+    const double tolerance = 1e-9 * cell_size;
+    const Toe    toe       = find_toe(chain, water_left, bottom, cell_size);
+    const int    wall      = water_left ? 0 : 1;
+    const bool   is_round =
       walk(chain, toe.vertex, water_left, wall, level, tolerance, wetted);
 
     // A body that floats is wet on the other side too.

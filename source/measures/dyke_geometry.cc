@@ -8,7 +8,7 @@
 namespace Waker
 {
   DykeGeometry
-  measure_dyke(const Surface &surface, const double level)
+  measure_dyke(const Facets<2> &section, const double level)
   {
     DykeGeometry dyke;
     dyke.level = level;
@@ -18,22 +18,17 @@ namespace Waker
     // Crossings of the level: (x, winding). Half-open: a vertex on the level
     // counts as below it, so that a chain crosses as often up as down.
     std::vector<std::pair<double, int>> crossings;
-    for (const SurfaceChain &chain : surface.chains)
+    for (const Facet<2> &segment : section)
       {
-        const std::size_t n = chain.vertices.size();
-        for (std::size_t k = 0; k < n; ++k)
-          {
-            const Point<2> &a = chain.vertices[k];
-            const Point<2> &b = chain.vertices[(k + 1) % n];
-            dyke.height       = std::max(dyke.height, a[1]);
-            if ((a[1] > level) == (b[1] > level))
-              continue;
+        const Point<2> &a = segment.vertices[0];
+        const Point<2> &b = segment.vertices[1];
+        dyke.height       = std::max(dyke.height, a[1]);
+        if ((a[1] > level) == (b[1] > level))
+          continue;
 
-            // The body is on the left: on its left side the chain runs down.
-            const double t = (level - a[1]) / (b[1] - a[1]);
-            crossings.emplace_back(a[0] + t * (b[0] - a[0]),
-                                   a[1] > level ? 1 : -1);
-          }
+        // The body is on the left: on its left side the chain runs down.
+        const double t = (level - a[1]) / (b[1] - a[1]);
+        crossings.emplace_back(a[0] + t * (b[0] - a[0]), a[1] > level ? 1 : -1);
       }
 
     // From left to right; where parts touch, the next is entered before the

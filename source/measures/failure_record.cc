@@ -41,12 +41,12 @@ namespace Waker
   }
 
 
-  std::string
+  Slopes
   FailureEvents::slope() const
   {
     if (inner_slide.time >= 0.)
-      return outer_slide.time >= 0. ? "both" : "inner";
-    return outer_slide.time >= 0. ? "outer" : "";
+      return outer_slide.time >= 0. ? Slopes::both : Slopes::inner;
+    return outer_slide.time >= 0. ? Slopes::outer : Slopes::none;
   }
 
 

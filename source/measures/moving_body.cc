@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/numbers.h>
 #include <waker/measures/moving_body.h>
 #include <waker/measures/two_means.h>
 
@@ -156,7 +157,7 @@ namespace Waker
       for (std::size_t q = 0; q < points.n_points(); ++q)
         top =
           std::max(top, points.initial_position[q][1] + points.half_size[q][1]);
-      double cut = std::numeric_limits<double>::quiet_NaN();
+      double cut = nan;
       for (std::size_t q = 0; q < points.n_points(); ++q)
         if (in_body[q] && points.initial_position[q][1] > top - cell_size)
           {

@@ -44,8 +44,10 @@ namespace Waker
 
   template <int dim>
   void
-  prepare_deformation(MaterialPoints<dim> &points)
+  prepare_domains(const SupportDomains domains, MaterialPoints<dim> &points)
   {
+    if (domains == SupportDomains::constant)
+      return;
     points.initial_half_size = points.half_size;
     points.deformation.assign(points.n_points(), unit_symmetric_tensor<dim>());
   }
@@ -53,8 +55,12 @@ namespace Waker
 
   template <int dim>
   std::size_t
-  stretch_domains(const double cell_size, MaterialPoints<dim> &points)
+  move_domains(const SupportDomains domains,
+               const double         cell_size,
+               MaterialPoints<dim> &points)
   {
+    if (domains == SupportDomains::constant)
+      return 0;
     const double longest = 0.5 * cell_size;
     std::size_t  n_held  = 0;
     for (std::size_t p = 0; p < points.n_points(); ++p)
@@ -74,11 +80,11 @@ namespace Waker
 
 
   template void
-  prepare_deformation(MaterialPoints<2> &);
+  prepare_domains(const SupportDomains, MaterialPoints<2> &);
   template void
-  prepare_deformation(MaterialPoints<3> &);
+  prepare_domains(const SupportDomains, MaterialPoints<3> &);
   template std::size_t
-  stretch_domains(const double, MaterialPoints<2> &);
+  move_domains(const SupportDomains, const double, MaterialPoints<2> &);
   template std::size_t
-  stretch_domains(const double, MaterialPoints<3> &);
+  move_domains(const SupportDomains, const double, MaterialPoints<3> &);
 } // namespace Waker

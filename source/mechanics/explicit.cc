@@ -2,9 +2,8 @@
 #include <waker/mapping/stencil.h>
 #include <waker/mechanics/displacement_rate.h>
 #include <waker/mechanics/energy.h>
-#include <waker/mechanics/soil.h>
+#include <waker/mechanics/held_soil.h>
 #include <waker/mechanics/time_scheme.h>
-#include <waker/nodes/springs.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,19 +19,9 @@ namespace Waker
     public:
       explicit Explicit(const SchemeInput<dim> &in)
         : in(in)
-        , soil(in.weights,
-               StressUpdate<dim>(in.materials,
-                                 make_point_motion<dim>(in.mapping)),
-               in.newton.tangent)
-        , springs(in.fixities,
-                  stiffest_modulus(in.materials),
-                  in.grid.cell_size())
-        , supports(in.resistances)
+        , held(in)
         , stretched(in.grid.n_dofs())
-      {
-        if (!springs.empty())
-          supports.push_back(&springs);
-      }
+      {}
 
       double
       time_step(const MaterialPoints<dim> &points) const override
@@ -63,9 +52,7 @@ namespace Waker
       hold(const double dt, NodalState &nodes);
 
       const SchemeInput<dim> in;
-      Soil<dim>              soil;
-      Springs<dim>           springs;
-      Resistances<dim>       supports;  // all but the soil
+      HeldSoil<dim>          held;
       NodalVector            stretched; // increments that strain the points, m
       std::vector<double>    removed_increments;
     };
@@ -81,7 +68,7 @@ namespace Waker
       force.reinit(way);
       stiffness.reinit(way);
       way *= dt;
-      for (Resistance<dim> *const support : supports)
+      for (Resistance<dim> *const support : held.supports)
         {
           support->add_force(way, force);
           support->add_diagonal(stiffness);
@@ -105,11 +92,11 @@ namespace Waker
                          const double               dt,
                          NodalState                &nodes)
     {
-      soil.begin(points, nodes, t, dt);
-      for (Resistance<dim> *const support : supports)
+      held.soil.begin(points, nodes, t, dt);
+      for (Resistance<dim> *const support : held.supports)
         support->begin(points, nodes, t, dt);
       nodes.internal_force = 0.;
-      soil.add_start_force(nodes.internal_force);
+      held.soil.add_start_force(nodes.internal_force);
 
       const double        ramp = residual_ramp(t + dt, in.time.ramp_duration);
       const double *const internal = nodes.internal_force.begin();
@@ -133,7 +120,7 @@ namespace Waker
                 ? ramp * (external[dof] - internal[dof]) / nodes.mass[i]
                 : 0.;
           }
-      if (!supports.empty())
+      if (!held.supports.empty())
         hold(dt, nodes);
       for (const unsigned int dof : removed)
         new_a[dof] = 0.;
@@ -198,7 +185,7 @@ namespace Waker
           report.reaction[dof % dim] += internal[dof] - external[dof];
           report.support_work += (internal[dof] - external[dof]) * u[dof];
         }
-      for (Resistance<dim> *const support : supports)
+      for (Resistance<dim> *const support : held.supports)
         {
           report.reaction += support->accept(nodes.increment, points);
           report.support_work += support->work(nodes.increment).mean();
@@ -212,9 +199,9 @@ namespace Waker
       report.water_work -= report.gravity_work;
 
       nodes.internal_force = 0.;
-      soil.add_force(stretched, nodes.internal_force);
-      soil.accept(stretched, points);
-      const StressReport &stress = soil.report();
+      held.soil.add_force(stretched, nodes.internal_force);
+      held.soil.accept(stretched, points);
+      const StressReport &stress = held.soil.report();
       report.mean_plastic_strain = stress.plastic_strain;
       report.displacement_rate   = displacement_rate(displacement, mass, dt);
       report.dissipation         = stress.dissipation;

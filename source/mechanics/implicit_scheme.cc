@@ -8,19 +8,11 @@ namespace Waker
                                       const LinearMethod      method)
     : in(input)
     , reached(in.grid)
-    , soil(in.weights,
-           StressUpdate<dim>(in.materials,
-                             in.is_elastic
-                               ? make_small_motion<dim>(in.mapping)
-                               : make_point_motion<dim>(in.mapping)),
-           in.newton.tangent)
-    , springs(in.fixities, stiffest_modulus(in.materials), in.grid.cell_size())
+    , held(in)
     , newton(in.grid, in.fixities, in.newton, in.full_node_mass, method)
   {
-    resistances = in.resistances;
-    resistances.insert(resistances.begin(), &soil);
-    if (!springs.empty())
-      resistances.push_back(&springs);
+    resistances = held.supports;
+    resistances.insert(resistances.begin(), &held.soil);
   }
 
 
@@ -77,9 +69,10 @@ namespace Waker
         if (role == Role::remedy)
           lost += work;
       }
-    report.mean_plastic_strain = soil.report().plastic_strain;
-    report.dissipation         = soil.report().dissipation;
-    report.elastic_energy      = soil.report().elastic_energy;
+    const StressReport &stress = held.soil.report();
+    report.mean_plastic_strain = stress.plastic_strain;
+    report.dissipation         = stress.dissipation;
+    report.elastic_energy      = stress.elastic_energy;
 
     move_points(dt, nodes, points, report);
     add_works(t, dt, nodes, internal, report);

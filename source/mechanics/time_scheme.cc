@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/exceptions.h>
 
+#include <waker/base/choice.h>
 #include <waker/base/errors.h>
+#include <waker/base/last_change.h>
+#include <waker/base/text.h>
 #include <waker/mechanics/time_scheme.h>
 
 #include <algorithm>
@@ -50,6 +53,57 @@ namespace Waker
       }
     traits.moves_points = traits.has_inertia || time.move_points;
     return traits;
+  }
+
+
+  void
+  require_implicit(const TimeParameters &time, const std::string &what)
+  {
+    if (scheme_traits(time).is_implicit)
+      return;
+    std::vector<std::string> allowed;
+    for (const Scheme scheme : all_choices<Scheme>())
+      {
+        TimeParameters other;
+        other.scheme = scheme;
+        if (scheme_traits(other).is_implicit)
+          allowed.emplace_back(name_of(scheme));
+      }
+    throw UserError("Time stepping/Scheme",
+                    std::string("is ") + name_of(time.scheme) + ", but " + what,
+                    either(allowed));
+  }
+
+
+  double
+  first_time_step(const TimeParameters &time,
+                  const Materials      &materials,
+                  const double          cell_size)
+  {
+    return scheme_traits(time).is_implicit
+             ? time.time_step
+             : time.courant_number * cell_size / wave_speed(materials);
+  }
+
+
+  std::optional<double>
+  chosen_courant_number(const TimeParameters &time,
+                        const Materials      &materials,
+                        const double          cell_size)
+  {
+    const SchemeTraits scheme = scheme_traits(time);
+    if (!scheme.is_implicit || !scheme.has_inertia)
+      return {};
+    return wave_speed(materials) * time.time_step / cell_size;
+  }
+
+
+  double
+  full_loads_from(const TimeParameters &time)
+  {
+    return !scheme_traits(time).has_inertia && time.load_duration > 0.
+             ? time.load_duration
+             : LastChange::never;
   }
 
 

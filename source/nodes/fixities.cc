@@ -173,22 +173,19 @@ namespace Waker
         fixity.check(dim);
         const std::vector<unsigned int> nodes = nodes_of(grid, fixity);
         Hold<dim>                       hold;
-        hold.component.fill(fixity.type == FixityType::fixed);
         hold.expression.fill(at_rest);
-        if (fixity.type == FixityType::roller)
-          hold.component[face_of(fixity.region).direction] = true;
+        for (unsigned int c = 0; c < dim; ++c)
+          hold.component[c] = fixity.holds(c);
         if (fixity.type == FixityType::prescribed)
           {
-            const std::vector<std::string> texts =
-              Utilities::split_string_list(fixity.displacement, ';');
+            const auto texts = fixity.expressions();
             for (unsigned int c = 0; c < dim; ++c)
-              if (texts[c] != "free")
+              if (texts[c])
                 {
                   const std::string path =
                     "Boundary conditions/" + fixity.name + "/Displacement";
-                  Expression<dim> expression(texts[c], path, ", or \"free\"");
+                  Expression<dim> expression(*texts[c], path, ", or \"free\"");
                   check_start(grid, nodes, expression, path);
-                  hold.component[c] = true;
                   if (!expression.moves())
                     continue;
                   hold.expression[c] = motion->expressions.size();

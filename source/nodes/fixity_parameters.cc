@@ -66,6 +66,36 @@ namespace Waker
   } // namespace
 
 
+  std::vector<std::optional<std::string>>
+  FixityParameters::expressions() const
+  {
+    std::vector<std::optional<std::string>> of_component;
+    for (std::string &part : Utilities::split_string_list(displacement, ';'))
+      if (part == "free")
+        of_component.emplace_back();
+      else
+        of_component.emplace_back(std::move(part));
+    return of_component;
+  }
+
+
+  bool
+  FixityParameters::holds(const unsigned int component) const
+  {
+    switch (type)
+      {
+        case FixityType::fixed:
+          return true;
+        case FixityType::roller:
+          // A face: two of each direction.
+          return static_cast<unsigned int>(region) / 2 == component;
+        case FixityType::prescribed:
+          return expressions().at(component).has_value();
+      }
+    return false;
+  }
+
+
   void
   FixityParameters::check(const unsigned int dim) const
   {
@@ -108,8 +138,7 @@ namespace Waker
                       "is " + text(penalty_factor),
                       "a number above 0");
 
-    const std::vector<std::string> expressions =
-      Utilities::split_string_list(displacement, ';');
+    const auto        prescribed = expressions();
     const std::string allowed = std::to_string(dim) + " expressions of x, y, " +
                                 (dim == 3 ? "z, " : "") +
                                 "t, or \"free\", with \";\" between them";
@@ -122,12 +151,12 @@ namespace Waker
                           "nothing, or Type prescribed");
         return;
       }
-    if (expressions.size() != dim ||
-        std::count(expressions.begin(), expressions.end(), "") != 0)
+    if (prescribed.size() != dim ||
+        std::count(prescribed.begin(), prescribed.end(), "") != 0)
       throw UserError(path + "Displacement",
                       "is \"" + displacement + "\"",
                       allowed);
-    if (std::count(expressions.begin(), expressions.end(), "free") ==
+    if (std::count(prescribed.begin(), prescribed.end(), std::nullopt) ==
         static_cast<int>(dim))
       throw UserError(path + "Displacement",
                       "leaves all components free",

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/numbers.h>
 #include <waker/observers/observer.h>
 
-#include <limits>
 #include <numeric>
 #include <string>
 
@@ -92,9 +92,7 @@ namespace Waker
         // Of a step: there has been none at the start.
         const bool known = view.state.step > 0;
         for (unsigned int d = 0; d < dim; ++d)
-          row.add(names[1][d],
-                  known ? view.report.reaction[d]
-                        : std::numeric_limits<double>::quiet_NaN());
+          row.add(names[1][d], known ? view.report.reaction[d] : nan);
         for (unsigned int d = 0; d < 2; ++d)
           row.add(names[2][d], view.scene.water_resultant.force[d]);
       }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/base/numbers.h>
 #include <waker/base/version.h>
 #include <waker/output/files.h>
 #include <waker/output/summary.h>
 
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 namespace Waker
@@ -41,8 +41,7 @@ namespace Waker
     void
     from_json(const Json &json, double &value)
     {
-      value = json.is_null() ? std::numeric_limits<double>::quiet_NaN()
-                             : json.get<double>();
+      value = json.is_null() ? nan : json.get<double>();
     }
 
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/numbers.h>
 #include <waker/particles/layer.h>
 #include <waker/particles/soil_depths.h>
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 
 namespace Waker
@@ -80,8 +80,7 @@ namespace Waker
   SoilDepths<dim>::at(const Point<dim> &x, const unsigned int layer) const
   {
     if (layer >= outlines.size())
-      return {std::numeric_limits<double>::quiet_NaN(),
-              std::numeric_limits<double>::quiet_NaN()};
+      return {nan, nan};
     Depths depths{0., 0.};
     for (const Outline &outline : outlines)
       if (reaches(outline, x))

@@ -8,8 +8,6 @@ namespace Waker
   template <int dim>
   Carried<dim>::Carried(const Case<dim> &the_case)
     : the_case(&the_case)
-    , stretches(the_case.parameters.mapping.domains ==
-                SupportDomains::stretched)
     , rides(scheme_traits(the_case.parameters.time).moves_points)
   {}
 
@@ -21,8 +19,9 @@ namespace Waker
     if (rides)
       for (std::vector<Point<dim>> &vertices : state.surface_vertices)
         carry_vertices(the_case->grid, nodes, vertices);
-    return stretches ? stretch_domains(the_case->grid.cell_size(), state.points)
-                     : 0;
+    return move_domains(the_case->parameters.mapping.domains,
+                        the_case->grid.cell_size(),
+                        state.points);
   }
 
 

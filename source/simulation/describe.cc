@@ -70,31 +70,26 @@ namespace Waker
     for (const MaterialParameters &m : p.materials)
       say(log, "  material  %s: %s", m.name.c_str(), name_of(m.model));
 
-    const double       c      = wave_speed(the_case.materials);
-    const SchemeTraits scheme = scheme_traits(p.time);
-    if (scheme.is_implicit && scheme.has_inertia)
-      {
-        const double cfl = c * p.time.time_step / h;
-        say(log,
-            "  time      %s, dt = %g s: %.2g times the wave CFL "
-            "(c_p = %.3g m/s)",
-            name_of(p.time.scheme),
-            p.time.time_step,
-            cfl,
-            c);
-      }
-    else if (!scheme.has_inertia)
+    const double      c      = wave_speed(the_case.materials);
+    const double      dt     = first_time_step(p.time, the_case.materials, h);
+    const char *const scheme = name_of(p.time.scheme);
+    if (const auto cfl = chosen_courant_number(p.time, the_case.materials, h))
+      say(log,
+          "  time      %s, dt = %g s: %.2g times the wave CFL "
+          "(c_p = %.3g m/s)",
+          scheme,
+          dt,
+          *cfl,
+          c);
+    else if (!scheme_traits(p.time).has_inertia)
       say(log,
           "  time      %s, %.3g load steps of %g s",
-          name_of(p.time.scheme),
-          std::ceil(p.time.end_time / p.time.time_step * (1. - 1e-12)),
-          p.time.time_step);
+          scheme,
+          std::ceil(p.time.end_time / dt * (1. - 1e-12)),
+          dt);
     else
-      say(log,
-          "  time      %s, dt about %.2g s (c_p = %.3g m/s)",
-          name_of(p.time.scheme),
-          p.time.courant_number * h / c,
-          c);
+      say(
+        log, "  time      %s, dt about %.2g s (c_p = %.3g m/s)", scheme, dt, c);
     for (std::size_t i = 0; i < p.tractions.size(); ++i)
       {
         const TractionParameters &traction = p.tractions[i];

@@ -25,6 +25,14 @@ namespace Waker
       return value.empty() ? nlohmann::ordered_json()
                            : nlohmann::ordered_json(value);
     }
+
+
+    /// "" if none has.
+    std::string
+    reading_of(const Trial &trial)
+    {
+      return trial.reading ? name_of(*trial.reading) : "";
+    }
   } // namespace
 
 
@@ -38,9 +46,11 @@ namespace Waker
                   factor,
                   to_string(trial.result).c_str(),
                   trial.time,
-                  trial.outcome.c_str());
-    return text + (trial.reading.empty() ? "" : ", by " + trial.reading) +
-           (trial.slope.empty() ? "" : ", " + trial.slope + " slope");
+                  to_string(trial.outcome).c_str());
+    const std::string reading = reading_of(trial);
+    const std::string slope   = name_of(trial.slope);
+    return text + (reading.empty() ? "" : ", by " + reading) +
+           (slope.empty() ? "" : ", " + slope + " slope");
   }
 
 
@@ -61,8 +71,8 @@ namespace Waker
     if (search.lowest_failed())
       {
         const Trial &trial = *table.find(*search.lowest_failed());
-        json["failure"]    = {{"reading", or_null(trial.reading)},
-                              {"slope", or_null(trial.slope)},
+        json["failure"]    = {{"reading", or_null(reading_of(trial))},
+                              {"slope", or_null(name_of(trial.slope))},
                               {"time_s", trial.time}};
       }
     unsigned int n_numerical = 0;
@@ -81,7 +91,7 @@ namespace Waker
   {
     std::set<std::string> outcomes; // of those that did not decide
     for (const double factor : search.undecided())
-      outcomes.insert(table.find(factor)->outcome);
+      outcomes.insert(to_string(table.find(factor)->outcome));
     std::string why;
     for (const std::string &outcome : outcomes)
       why += (why.empty() ? "" : ", ") + outcome;

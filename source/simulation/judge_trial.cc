@@ -16,20 +16,20 @@ namespace Waker
         trial.result =
           unrest.is_final() ? TrialResult::stable : TrialResult::undecided;
         trial.time    = end_time;
-        trial.outcome = to_string(outcome_of(FailureRecord(), unrest));
+        trial.outcome = outcome_of(FailureRecord(), unrest);
         return trial;
       }
     trial.result  = TrialResult::failed;
     trial.time    = time < 0. ? failure.flooding_time : time;
-    trial.outcome = to_string(outcome_of(failure, unrest));
+    trial.outcome = outcome_of(failure, unrest);
     if (time < 0.)
       return trial; // no reading has seen it
     const bool moved = failure.time_of(FailureReading::by_displacement) == time;
-    trial.reading =
-      name_of(parameters.reading != FailureReading::any ? parameters.reading
-              : moved ? FailureReading::by_displacement
-                      : FailureReading::by_geometry);
-    trial.slope = failure.slope();
+    trial.reading    = parameters.reading != FailureReading::any
+                         ? parameters.reading
+                       : moved ? FailureReading::by_displacement
+                               : FailureReading::by_geometry;
+    trial.slope      = failure.slope();
     return trial;
   }
 } // namespace Waker

@@ -316,26 +316,22 @@ namespace Waker
     Ranges                   ranges(warnings);
     check_strengths_of_points(the_case, ranges);
     check_loads(the_case, warnings);
-    const SchemeTraits scheme = scheme_traits(p.time);
-    if (scheme.is_implicit && scheme.has_inertia)
+    const double cells =
+      chosen_courant_number(p.time, the_case.materials, h).value_or(0.);
+    if (cells > 20.)
       {
-        const double cells =
-          wave_speed(the_case.materials) * p.time.time_step / h;
-        if (cells > 20.)
-          {
-            std::ostringstream text;
-            text << "Time stepping/Time step is " << p.time.time_step
-                 << " s: waves cross " << std::round(cells)
-                 << " cells in a step; a smaller one is more accurate, and "
-                    "converges better";
-            warnings.push_back(text.str());
-          }
+        std::ostringstream text;
+        text << "Time stepping/Time step is " << p.time.time_step
+             << " s: waves cross " << std::round(cells)
+             << " cells in a step; a smaller one is more accurate, and "
+                "converges better";
+        warnings.push_back(text.str());
       }
 
     double fastest = 0.;
     for (const Tensor<1, dim> &v : the_case.initial_points.velocity)
       fastest = std::max(fastest, v.norm());
-    if (scheme.is_implicit && fastest * p.time.time_step > h)
+    if (scheme_traits(p.time).is_implicit && fastest * p.time.time_step > h)
       {
         std::ostringstream text;
         text << "Soil profile: soil begins at " << fastest

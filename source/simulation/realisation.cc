@@ -80,7 +80,7 @@ namespace Waker
     // The width is measured at one level all the time: a rise of the water is
     // no failure.
     const Parameters &parameters = the_case->parameters;
-    state->failure.update(measure_dyke(scene.surfaces.chains(),
+    state->failure.update(measure_dyke(scene.surfaces.section(),
                                        the_case->measuring_level),
                           state->time,
                           scene.water_level(state->time),

@@ -238,21 +238,12 @@ namespace Waker
           write_particles(state.points, time, particles.next_path(), loads));
       }
     if (output.surface)
-      {
-        const std::string path = surfaces.next_path();
-        surfaces.add(time,
-                     scene.surfaces.is_spatial()
-                       ? write_surface(scene.surfaces.facets(),
-                                       scene.water.wetted_facets(),
-                                       scene.water.now(),
-                                       time,
-                                       path)
-                       : write_surface(scene.surfaces.chains(),
-                                       scene.water.wetted_segments(),
-                                       scene.water.now(),
-                                       time,
-                                       path));
-      }
+      surfaces.add(time,
+                   write_surface(scene.surfaces.facets(),
+                                 scene.water.wetted(),
+                                 scene.water.now(),
+                                 time,
+                                 surfaces.next_path()));
     if (output.surface && scene.tractions.size() > 0)
       tractions.add(
         time, write_tractions(scene.tractions, time, tractions.next_path()));
@@ -339,7 +330,7 @@ namespace Waker
       time_or_nothing(state.failure.initial_time_thesis);
     summary.initial_failure_time_displacement =
       time_or_nothing(state.failure.time_of(FailureReading::by_displacement));
-    summary.slope             = state.failure.slope();
+    summary.slope             = name_of(state.failure.slope());
     summary.inner_slide       = slide_or_nothing(state.failure.inner_slide);
     summary.outer_slide       = slide_or_nothing(state.failure.outer_slide);
     summary.flooding_time     = time_or_nothing(state.failure.flooding_time);

@@ -76,13 +76,8 @@ namespace Waker
       const auto          start      = std::chrono::steady_clock::now();
       const std::uint64_t first_step = state.step;
       Realisation<dim>    realisation(the_case, state);
-      RunWatcher<dim>     watcher(the_case.parameters,
-                              options,
-                              resumed,
-                              state,
-                              realisation,
-                              recorder,
-                              log);
+      RunWatcher<dim>     watcher(
+        the_case.parameters, resumed, state, realisation, recorder, log);
 
       Outcome     outcome = Outcome::numerical_failure;
       Unrest      unrest;
@@ -90,7 +85,8 @@ namespace Waker
       RunStatus   status = RunStatus::completed;
       try
         {
-          const StopReason stop = run_to_end(realisation, watcher);
+          const StopReason stop =
+            run_to_end(realisation, watcher, options.interrupt);
           if (stop == StopReason::none)
             status = RunStatus::interrupted;
           else

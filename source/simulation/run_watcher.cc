@@ -34,7 +34,7 @@ namespace Waker
                         "t = %.3f s: slide of the %s slope (%.1f m^2, %.0f %% "
                         "of the profile; %s)",
                         slide.time,
-                        inner ? "inner" : "outer",
+                        name_of(inner ? Slopes::inner : Slopes::outer),
                         slide.body.area,
                         100. * slide.body.share,
                         cut);
@@ -100,14 +100,12 @@ namespace Waker
 
   template <int dim>
   RunWatcher<dim>::RunWatcher(const Parameters &parameters,
-                              const RunOptions &options,
                               const bool        resumed,
                               const State<dim> &state,
                               Realisation<dim> &realisation,
                               Recorder<dim>    &recorder,
                               Log              &log)
     : parameters(parameters)
-    , options(options)
     , state(state)
     , realisation(realisation)
     , recorder(recorder)
@@ -120,29 +118,19 @@ namespace Waker
 
 
   template <int dim>
-  bool
-  RunWatcher<dim>::is_interrupted() const
-  {
-    return options.interrupt != nullptr && *options.interrupt != 0;
-  }
-
-
-  template <int dim>
-  bool
-  RunWatcher<dim>::looked(const StopReason stop)
+  void
+  RunWatcher<dim>::looked(const StopReason stop, const bool last)
   {
     report_events(failure, state.failure, log);
     report_tractions(parameters.tractions, tractions, state.tractions, log);
-    failure         = state.failure;
-    tractions       = state.tractions;
-    const bool last = stop != StopReason::none;
+    failure   = state.failure;
+    tractions = state.tractions;
     if (is_new)
       {
-        recorder.record(realisation.view(), last);
-        recorder.checkpoint(state, last || is_interrupted());
+        recorder.record(realisation.view(), stop != StopReason::none);
+        recorder.checkpoint(state, last);
       }
     is_new = true;
-    return last || !is_interrupted();
   }
 
 

@@ -4,7 +4,6 @@
 
 #include <waker/base/log.h>
 #include <waker/simulation/recorder.h>
-#include <waker/simulation/run.h>
 #include <waker/simulation/run_to_end.h>
 
 #include <vector>
@@ -19,25 +18,20 @@ namespace Waker
     /// All are kept by reference.
     /// @param resumed the moment that the state is of is in the files
     RunWatcher(const Parameters &parameters,
-               const RunOptions &options,
                const bool        resumed,
                const State<dim> &state,
                Realisation<dim> &realisation,
                Recorder<dim>    &recorder,
                Log              &log);
 
-    bool
-    looked(const StopReason stop) override;
+    void
+    looked(const StopReason stop, const bool last) override;
 
     void
     advanced() override;
 
   private:
-    bool
-    is_interrupted() const;
-
     const Parameters &parameters;
-    const RunOptions &options;
     const State<dim> &state;
     Realisation<dim> &realisation;
     Recorder<dim>    &recorder;

@@ -36,24 +36,13 @@ namespace Waker
                    const double       end_time,
                    const double       factor,
                    const std::string &progress,
-                   const RunOptions  &options,
                    Log               &log)
         : state(state)
         , end_time(end_time)
         , factor(factor)
         , progress(progress)
-        , options(options)
         , log(log)
       {}
-
-      bool
-      looked(const StopReason stop) override
-      {
-        if (stop == StopReason::none && options.interrupt != nullptr &&
-            *options.interrupt != 0)
-          throw Interrupted();
-        return true;
-      }
 
       void
       advanced() override
@@ -76,7 +65,6 @@ namespace Waker
       const double       end_time;
       const double       factor;
       const std::string &progress;
-      const RunOptions  &options;
       Log               &log;
     };
 
@@ -94,13 +82,11 @@ namespace Waker
       State<dim> state = first;
       divide_strengths(the_case.materials, factor, state.points);
       Realisation<dim>  realisation(the_case, state);
-      TrialWatcher<dim> watcher(state,
-                                the_case.parameters.time.end_time,
-                                factor,
-                                progress,
-                                options,
-                                log);
-      run_to_end(realisation, watcher);
+      TrialWatcher<dim> watcher(
+        state, the_case.parameters.time.end_time, factor, progress, log);
+      if (run_to_end(realisation, watcher, options.interrupt) ==
+          StopReason::none)
+        throw Interrupted();
       log.end_progress();
       return judge_trial(state.failure,
                          realisation.unrest(),
@@ -121,7 +107,6 @@ namespace Waker
                Log               &log)
     {
       Trial trial;
-      trial.outcome = to_string(Outcome::numerical_failure);
       trial.attempts =
         1 + cases.until_it_works([&](const Case<dim>   &the_case,
                                      const unsigned int attempt) {

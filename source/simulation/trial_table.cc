@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/choice.h>
 #include <waker/base/errors.h>
 #include <waker/base/hash.h>
 #include <waker/base/numbers.h>
@@ -28,8 +29,9 @@ namespace Waker
       std::snprintf(numbers[0], sizeof numbers[0], "%.17g", factor);
       std::snprintf(numbers[1], sizeof numbers[1], "%.17g", trial.time);
       return std::string(numbers[0]) + "," + to_string(trial.result) + "," +
-             numbers[1] + "," + trial.outcome + "," + trial.reading + "," +
-             trial.slope + "," + std::to_string(trial.attempts);
+             numbers[1] + "," + to_string(trial.outcome) + "," +
+             (trial.reading ? name_of(*trial.reading) : "") + "," +
+             name_of(trial.slope) + "," + std::to_string(trial.attempts);
     }
 
 
@@ -51,12 +53,14 @@ namespace Waker
             trial.result = result;
             is_result    = true;
           }
-      trial.outcome = parts[3];
-      trial.reading = parts[4];
-      trial.slope   = parts[5];
-      if (!is_result || !(factor > 0.) || !(trial.time >= 0.) ||
-          !(trial.time < 1e12) || !(attempts >= 1.) || !(attempts < 1e6))
+      const std::optional<Slopes> slope = find_choice<Slopes>(parts[5]);
+      trial.reading                     = find_choice<FailureReading>(parts[4]);
+      if (!is_result || !outcome_from_string(parts[3], trial.outcome) ||
+          (!trial.reading && !parts[4].empty()) || !slope || !(factor > 0.) ||
+          !(trial.time >= 0.) || !(trial.time < 1e12) || !(attempts >= 1.) ||
+          !(attempts < 1e6))
         return false;
+      trial.slope    = *slope;
       trial.attempts = static_cast<unsigned int>(attempts);
       return true;
     }

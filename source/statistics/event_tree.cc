@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/exceptions.h>
 
+#include <waker/base/numbers.h>
 #include <waker/statistics/estimates.h>
 #include <waker/statistics/event_tree.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace Waker
 {
@@ -70,7 +70,7 @@ namespace Waker
     tree.length         = length;
     tree.truncated      = 0.;
     tree.critical_slide = 0;
-    tree.critical_path  = std::numeric_limits<double>::quiet_NaN();
+    tree.critical_path  = nan;
     double slides_only  = 1.; // product of P(S_k | notF_{k-1})
     for (unsigned int j = 1; j <= n_levels; ++j)
       {

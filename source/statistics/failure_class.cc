@@ -21,7 +21,7 @@ namespace Waker
     bool
     only_settles(const Record &record)
     {
-      return record.watches_slopes() && record.slope().empty() &&
+      return record.watches_slopes() && record.slope() == Slopes::none &&
              record.first_inward.area == 0. &&
              record.first_outward.area == 0. && record.inward.area == 0. &&
              record.outward.area == 0.;
@@ -31,8 +31,8 @@ namespace Waker
     bool
     goes_outwards(const Record &record)
     {
-      if (record.watches_slopes() && record.slope() != "both")
-        return record.slope() == "outer";
+      if (record.watches_slopes() && record.slope() != Slopes::both)
+        return record.slope() == Slopes::outer;
       if (record.first_outward.area != record.first_inward.area)
         return record.first_outward.area > record.first_inward.area;
       if (record.outward.area != record.inward.area)
@@ -123,8 +123,8 @@ namespace Waker
       return FailureClass::none;
     // The geometry has not changed.
     if (slides.empty())
-      return record.slope() == "outer" ? FailureClass::outer
-                                       : FailureClass::initial_only;
+      return record.slope() == Slopes::outer ? FailureClass::outer
+                                             : FailureClass::initial_only;
     if (goes_outwards(record))
       return FailureClass::outer;
     if (only_settles(record))

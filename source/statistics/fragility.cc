@@ -187,7 +187,7 @@ namespace Waker
   equal_levels_note(const CampaignInfo &info)
   {
     const std::vector<ScenarioInfo> &all = info.scenarios;
-    if (info.swept_parameter == "Water/Level")
+    if (info.sweeps_water_level())
       for (std::size_t s = 0; s < all.size(); ++s)
         for (std::size_t t = s + 1; t < all.size(); ++t)
           if (all[s].water_level == all[t].water_level)

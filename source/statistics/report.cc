@@ -188,7 +188,7 @@ namespace Waker
     std::vector<std::string> notes =
       all_notes(info, scenarios, records_by_scenario, points);
     const std::optional<Yearly> yearly_risk = yearly(
-      info.swept_parameter, points, distribution, parameters.risk, notes);
+      info.sweeps_water_level(), points, distribution, parameters.risk, notes);
 
     const auto write = [&](const char *const name, const std::string &text) {
       write_file(report_path(directory, name), text);
@@ -294,7 +294,7 @@ namespace Waker
     std::vector<std::string> notes =
       all_notes(info, scenarios, records_by_scenario, points);
     const std::optional<Yearly> yearly_risk = yearly(
-      info.swept_parameter, points, distribution, parameters.risk, notes);
+      info.sweeps_water_level(), points, distribution, parameters.risk, notes);
     if (yearly_risk)
       text += yearly_text(*yearly_risk);
     for (const std::string &note : notes)

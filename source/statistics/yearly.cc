@@ -53,7 +53,7 @@ namespace Waker
 
 
   std::optional<Yearly>
-  yearly(const std::string                      &swept_parameter,
+  yearly(const bool                              sweeps_water_level,
          const std::vector<FragilityPoint>      &points,
          const std::optional<LevelDistribution> &distribution,
          const RiskParameters                   &parameters,
@@ -62,7 +62,7 @@ namespace Waker
     if (!distribution)
       return {};
     // One level says nothing about the others.
-    if (swept_parameter != "Water/Level" || points.size() < 2)
+    if (!sweeps_water_level || points.size() < 2)
       {
         notes.push_back("No yearly probability, budget or risk: this takes "
                         "a sweep of Water/Level with realisations at two "

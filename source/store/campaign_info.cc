@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
 #include <waker/base/hash.h>
+#include <waker/base/numbers.h>
 #include <waker/output/files.h>
 #include <waker/store/campaign_info.h>
 
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 namespace Waker
@@ -24,8 +24,7 @@ namespace Waker
     double
     double_of(const Json &json)
     {
-      return json.is_null() ? std::numeric_limits<double>::quiet_NaN()
-                            : json.get<double>();
+      return json.is_null() ? nan : json.get<double>();
     }
 
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/numbers.h>
 #include <waker/store/record_json.h>
 
 #include <cmath>
@@ -133,7 +134,7 @@ namespace Waker
          double               &value)
     {
       if (json.is_null())
-        value = std::numeric_limits<double>::quiet_NaN();
+        value = nan;
       else if (json.is_number())
         {
           value = json.get<double>();
@@ -288,7 +289,7 @@ namespace Waker
       if (found != line.end())
         read(*found, key, range, slide);
       else
-        slide.time = std::numeric_limits<double>::quiet_NaN();
+        slide.time = nan;
     }
 
 

@@ -7,43 +7,18 @@ namespace Waker
 {
   namespace
   {
-    Facets<2>
-    extrude(const Surface &surface, const BackgroundGrid<2> &)
+    const Facets<2> &
+    extruded(const Facets<2> &section, const BackgroundGrid<2> &)
     {
-      return to_facets(surface);
+      return section;
     }
 
 
-    /// The sides of a body that is prismatic over the grid's box, without its
-    /// ends.
+    /// Over the whole box.
     Facets<3>
-    extrude(const Surface &surface, const BackgroundGrid<3> &grid)
+    extruded(const Facets<2> &section, const BackgroundGrid<3> &grid)
     {
-      const double back  = grid.lower_corner()[2];
-      const double front = grid.upper_corner()[2];
-      Facets<3>    facets;
-      for (const SurfaceChain &chain : surface.chains)
-        {
-          const std::size_t n       = chain.vertices.size();
-          const bool        in_hole = chain.area() < 0.;
-          for (std::size_t k = 0; k < n; ++k)
-            {
-              // The body is on the left seen from the front.
-              const Point<2> &a    = chain.vertices[k];
-              const Point<2> &b    = chain.vertices[(k + 1) % n];
-              const Point<3>  x[4] = {Point<3>(a[0], a[1], back),
-                                      Point<3>(b[0], b[1], back),
-                                      Point<3>(b[0], b[1], front),
-                                      Point<3>(a[0], a[1], front)};
-              facets.push_back(
-                make_facet<3>({{x[0], x[2], x[1]}}, chain.on_face[k]));
-              facets.push_back(
-                make_facet<3>({{x[0], x[3], x[2]}}, chain.on_face[k]));
-              for (unsigned int i = 1; i <= 2; ++i)
-                facets[facets.size() - i].in_hole = in_hole;
-            }
-        }
-      return facets;
+      return extrude(section, grid.lower_corner()[2], grid.upper_corner()[2]);
     }
   } // namespace
 
@@ -67,40 +42,32 @@ namespace Waker
   SurfaceFinder<dim>::reset(const MaterialPoints<dim> &the_points)
   {
     points = &the_points;
-    for (bool &has : has_chains)
-      has = false;
-    for (auto &[which, surface] : found)
+    for (auto &[which, section] : sections)
+      section.is_valid = false;
+    for (auto &[which, surface] : surfaces)
       surface.is_valid = false;
     has_field = false;
   }
 
 
   template <int dim>
-  const Surface &
-  SurfaceFinder<dim>::chains() const
-  {
-    return chains(found_by(parameters.method));
-  }
-
-
-  template <int dim>
-  const Surface &
-  SurfaceFinder<dim>::chains(const FoundSurface which) const
+  const Facets<2> &
+  SurfaceFinder<dim>::section(const FoundSurface which) const
   {
     Assert(points != nullptr, ExcInternalError());
-    const unsigned int i = which == FoundSurface::contour ? 1 : 0;
-    if (!has_chains[i])
+    Found<2> &section = sections[which];
+    if (section.is_valid)
+      return section.facets;
+    if (which == FoundSurface::contour)
+      contour.detect(*points, chains);
+    else
       {
-        if (i == 1)
-          contour.detect(*points, found_chains[i]);
-        else
-          {
-            proximity.detect(*points, found_chains[i]);
-            has_field = true;
-          }
-        has_chains[i] = true;
+        proximity.detect(*points, chains);
+        has_field = true;
       }
-    return found_chains[i];
+    to_facets(chains, section.facets);
+    section.is_valid = true;
+    return section.facets;
   }
 
 
@@ -110,7 +77,7 @@ namespace Waker
                              const std::string &path) const
   {
     Assert(points != nullptr, ExcInternalError());
-    Found &surface = found[which];
+    Found<dim> &surface = surfaces[which];
     if (surface.is_valid)
       return surface.facets;
     switch (which)
@@ -123,9 +90,9 @@ namespace Waker
           break;
         case FoundSurface::proximity_field:
         case FoundSurface::contour:
-          if (!is_spatial())
+          if (parameters.is_of_section(dim))
             {
-              surface.facets = extrude(chains(which), *grid);
+              surface.facets = extruded(section(which), *grid);
               break;
             }
           if (which == FoundSurface::contour)

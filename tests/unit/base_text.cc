@@ -24,6 +24,15 @@ namespace base_text
     }
 
 
+    TEST(Base, alternatives_are_joined_for_a_message)
+    {
+      EXPECT_EQ(either({}), "");
+      EXPECT_EQ(either({"a"}), "a");
+      EXPECT_EQ(either({"a", "b"}), "a or b");
+      EXPECT_EQ(either({"a", "b", "c"}), "a, b or c");
+    }
+
+
     TEST(Base, require_positive_names_path_value_and_unit)
     {
       EXPECT_NO_THROW(require_positive("A/B", 1e-300));

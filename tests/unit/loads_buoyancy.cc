@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <waker/loads/water_load.h>
 #include <waker/surface/domain_contour.h>
 #include <waker/surface/proximity_field.h>
 
+#include "standing_water.h"
 #include "verification_data.h"
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -143,18 +143,20 @@ namespace loads_buoyancy
     };
 
     Displaced
-    displaced_by(const std::vector<LoadedSegment> &wetted)
+    displaced_by(const Facets<2> &wetted)
     {
       Displaced sum;
-      for (const LoadedSegment &s : wetted)
+      for (const Facet<2> &s : wetted)
         {
           // Simpson's rule, exact for the quadratics.
-          const double n = s.normal[0] * s.from.distance(s.to);
+          const Point<2> &from = s.vertices[0];
+          const Point<2> &to   = s.vertices[1];
+          const double    n    = s.normal[0] * from.distance(to);
           for (const auto &[t, w] : {std::pair<double, double>(0., 1. / 6),
                                      std::pair<double, double>(0.5, 4. / 6),
                                      std::pair<double, double>(1., 1. / 6)})
             {
-              const Point<2> x = s.from + t * (s.to - s.from);
+              const Point<2> x = from + t * (to - from);
               sum.volume += w * n * x[0];
               sum.first += w * n * in_space(x[0] * x[0] / 2, x[0] * x[1]);
             }
@@ -188,14 +190,14 @@ namespace loads_buoyancy
     };
 
     Lift
-    exact_lift(const WaterLoad<2> &load)
+    exact_lift(const StandingWater<2> &load)
     {
       const WaterResultant r = load.resultant();
       return {in_space(r.force[0], r.force[1]), in_space(0., 0., r.moment)};
     }
 
     Lift
-    exact_lift(const WaterLoad<3> &load)
+    exact_lift(const StandingWater<3> &load)
     {
       const SpatialResultant r = load.spatial_resultant();
       return {r.force, r.moment};
@@ -244,18 +246,18 @@ namespace loads_buoyancy
           for (const double level : {1.9, uniform(random)})
             {
               parameters.level = level;
-              WaterLoad<dim> load(grid, parameters);
+              StandingWater<dim> load(grid, parameters);
               if constexpr (dim == 2)
                 {
                   Surface surface;
                   contour.detect(points, surface);
-                  load.find_wetted_segments(surface);
+                  load.find(surface);
                 }
               else
                 {
                   Facets<3> surface;
                   contour.detect(points, surface);
-                  load.find_wetted_facets(surface);
+                  load.find(surface);
                 }
 
               // What of the domains lies below the level.
@@ -315,23 +317,23 @@ namespace loads_buoyancy
           for (const double level : {1.9, 0.6 * uniform(random)})
             {
               parameters.level = level;
-              WaterLoad<dim> load(grid, parameters);
-              Displaced      displaced;
-              double         detected_volume;
+              StandingWater<dim> load(grid, parameters);
+              Displaced          displaced;
+              double             detected_volume;
               if constexpr (dim == 2)
                 {
                   Surface surface;
                   field.detect(points, surface);
-                  load.find_wetted_segments(surface);
-                  displaced       = displaced_by(load.wetted_segments());
+                  load.find(surface);
+                  displaced       = displaced_by(load.segments());
                   detected_volume = surface.chains[0].area();
                 }
               else
                 {
                   Facets<3> surface;
                   field.detect(points, surface);
-                  load.find_wetted_facets(surface);
-                  displaced       = displaced_by(load.wetted_facets());
+                  load.find(surface);
+                  displaced       = displaced_by(load.facets());
                   detected_volume = enclosed_volume(surface);
                 }
               const double weight = gamma_w * displaced.volume;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <waker/loads/water_load.h>
 #include <waker/surface/proximity_field.h>
 
 #include "named.h"
+#include "standing_water.h"
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -136,9 +136,9 @@ namespace loads_water_load
         const std::vector<double> mass = masses(grid, points);
 
         const WaterParameters parameters = water("left", 4. * uniform(random));
-        WaterLoad<2>          load(grid, parameters);
+        StandingWater<2>      load(grid, parameters);
         field.detect(points, surface);
-        load.find_wetted_segments(surface);
+        load.find(surface);
         force = 0.;
         load.add_nodal_forces(mass, h * h, force);
 
@@ -151,9 +151,9 @@ namespace loads_water_load
 
         // The pressure on the vertical projection of the surface.
         const double depth =
-          load.wetted_segments().empty()
+          load.segments().empty()
             ? 0.
-            : parameters.level - load.wetted_segments()[0].from[1];
+            : parameters.level - load.segments()[0].vertices[0][1];
         if (depth > 0 && parameters.level < 2.5)
           {
             ++n_below_the_crest;
@@ -252,19 +252,19 @@ namespace loads_water_load
         return y < 3.1 && y < (x - 1) / 1.7 && y < 11 - x;
       });
 
-    WaterLoad<2> left(grid, water("left", 2.3));
-    left.find_wetted_segments(field.detect(points));
+    StandingWater<2> left(grid, water("left", 2.3));
+    left.find(field.detect(points));
     NodalVector force(grid.n_dofs());
     left.add_nodal_forces(masses(grid, points), h * h, force);
 
     for (Point<2> &x : points.position)
       x[0] = length - x[0];
-    WaterLoad<2> right(grid, water("right", 2.3));
-    right.find_wetted_segments(field.detect(points));
+    StandingWater<2> right(grid, water("right", 2.3));
+    right.find(field.detect(points));
     NodalVector mirrored(grid.n_dofs());
     right.add_nodal_forces(masses(grid, points), h * h, mirrored);
 
-    EXPECT_EQ(left.wetted_segments().size(), right.wetted_segments().size());
+    EXPECT_EQ(left.segments().size(), right.segments().size());
     EXPECT_GT(force.l2_norm(), 1.);
     const int nx = grid.n_nodes_per_direction()[0];
     for (unsigned int i = 0; i < grid.n_nodes(); ++i)
@@ -306,11 +306,11 @@ namespace loads_water_load
       for (unsigned int i = 0; i < n_plane; ++i)
         mass_3[k * n_plane + i] = h * share[k] * mass_2[i];
 
-    NodalVector  force_2(grid_2.n_dofs()), force_3(grid_3.n_dofs());
-    WaterLoad<2> load_2(grid_2, water("left", 2.2));
-    WaterLoad<3> load_3(grid_3, water("left", 2.2));
-    load_2.find_wetted_segments(surface);
-    load_3.find_wetted_segments(surface);
+    NodalVector      force_2(grid_2.n_dofs()), force_3(grid_3.n_dofs());
+    StandingWater<2> load_2(grid_2, water("left", 2.2));
+    StandingWater<3> load_3(grid_3, water("left", 2.2));
+    load_2.find(surface);
+    load_3.find(surface);
     load_2.add_nodal_forces(mass_2, h * h, force_2);
     load_3.add_nodal_forces(mass_3, h * h * h, force_3);
     EXPECT_GT(force_2.l2_norm(), 1.);

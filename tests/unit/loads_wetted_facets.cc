@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <waker/loads/water_load.h>
 #include <waker/surface/proximity_field.h>
 
 #include "named.h"
+#include "rectangles.h"
+#include "standing_water.h"
 #include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
@@ -34,19 +35,6 @@ namespace loads_wetted_facets
       parameters.level       = level;
       parameters.unit_weight = gamma_w;
       return parameters;
-    }
-
-    // Two triangles; the body is behind them, seen anticlockwise.
-    void
-    add_rectangle(Facets<3>      &facets,
-                  const Point<3> &a,
-                  const Point<3> &b,
-                  const Point<3> &c,
-                  const int       on_face = -1)
-    {
-      const Point<3> d = a + (c - b);
-      facets.push_back(make_facet<3>({{a, b, c}}, on_face));
-      facets.push_back(make_facet<3>({{a, c, d}}, on_face));
     }
 
     // Only those faces of a box that a bit of `faces` names.
@@ -104,10 +92,10 @@ namespace loads_wetted_facets
 
     // Area of the wetted facets in a range of x.
     double
-    wet_area(const WaterLoad<3> &load, const double from, const double to)
+    wet_area(const StandingWater<3> &load, const double from, const double to)
     {
       double sum = 0.;
-      for (const Facet<3> &facet : load.wetted_facets())
+      for (const Facet<3> &facet : load.facets())
         {
           const double x = (facet.vertices[0][0] + facet.vertices[1][0] +
                             facet.vertices[2][0]) /
@@ -118,49 +106,6 @@ namespace loads_wetted_facets
       return sum;
     }
   } // namespace
-
-
-
-  TEST(Boundary, facets_are_linked_through_common_and_overlapping_sides)
-  {
-    // A rectangle beside two of half its height: sides overlap along y.
-    Facets<3> facets;
-    add_rectangle(facets,
-                  Point<3>(0, 0, 0),
-                  Point<3>(1, 0, 0),
-                  Point<3>(1, 2, 0));
-    add_rectangle(facets,
-                  Point<3>(1, 0, 0),
-                  Point<3>(2, 0, 0),
-                  Point<3>(2, 1, 0));
-    add_rectangle(facets,
-                  Point<3>(1, 1, 0),
-                  Point<3>(2, 1, 0),
-                  Point<3>(2, 2, 0));
-    add_rectangle(facets,
-                  Point<3>(5, 0, 0),
-                  Point<3>(6, 0, 0),
-                  Point<3>(6, 1, 1));
-
-    FacetLinks             finder;
-    std::vector<FacetLink> links;
-    finder.find(facets, 1e-6, links);
-    // Four diagonals, two overlaps with the first, one between the halves.
-    ASSERT_EQ(links.size(), 7u);
-    double length = 0.;
-    for (const FacetLink &link : links)
-      {
-        ASSERT_LT(link.facets[0], facets.size());
-        if (link.from[0] == 1. && link.to[0] == 1.)
-          length += link.from.distance(link.to);
-      }
-    EXPECT_NEAR(length, 2., 1e-14);
-    std::vector<unsigned int> part;
-    EXPECT_EQ(find_parts(facets.size(), links, part), 2u);
-    EXPECT_EQ(part[0], part[5]);
-    EXPECT_NE(part[0], part[6]);
-    EXPECT_EQ(part[6], part[7]);
-  }
 
 
 
@@ -185,8 +130,8 @@ namespace loads_wetted_facets
 
     for (const double level : {0.5, 1., 2.5, 3., 4.})
       {
-        WaterLoad<3> load(grid, water("left", level));
-        load.find_wetted_facets(facets);
+        StandingWater<3> load(grid, water("left", level));
+        load.find(facets);
         const SpatialResultant sum = load.spatial_resultant();
 
         // Over the crest it comes to the other side.
@@ -218,8 +163,8 @@ namespace loads_wetted_facets
       }
 
     // From the right.
-    WaterLoad<3> load(grid, water("right", 2.));
-    load.find_wetted_facets(facets);
+    StandingWater<3> load(grid, water("right", 2.));
+    load.find(facets);
     EXPECT_NEAR(load.spatial_resultant().force[0], -2. * gamma_w * 4., 1e-10);
     EXPECT_NEAR(load.spatial_resultant().force[1], 0., 1e-10);
   }
@@ -251,12 +196,17 @@ namespace loads_wetted_facets
       }
     for (const double level : {1., 3.3, 4.6})
       {
-        WaterLoad<3> plane(grid, water("left", level));
-        WaterLoad<3> spatial(grid, water("left", level));
-        plane.find_wetted_segments({{chain}});
-        spatial.find_wetted_facets(facets);
-        EXPECT_TRUE(plane.wetted_facets().empty());
-        EXPECT_TRUE(spatial.wetted_segments().empty());
+        StandingWater<3> plane(grid, water("left", level));
+        StandingWater<3> spatial(grid, water("left", level));
+        plane.find(Surface{{chain}});
+        spatial.find(facets);
+        // What is written of a slice: the same area, outwards alike.
+        Tensor<1, 3> areas[2];
+        for (const Facet<3> &facet : plane.facets())
+          areas[0] += facet.measure() * facet.normal;
+        for (const Facet<3> &facet : spatial.facets())
+          areas[1] += facet.measure() * facet.normal;
+        EXPECT_LT((areas[0] - areas[1]).norm(), 1e-12);
         NodalVector               a(grid.n_dofs()), b(grid.n_dofs());
         const std::vector<double> mass(grid.n_nodes(), 1.);
         plane.add_nodal_forces(mass, 1., a);
@@ -283,8 +233,8 @@ namespace loads_wetted_facets
     Facets<3>          facets;
     add_box(facets, Point<3>(2, 0.2, 0), Point<3>(8, 3, 4), free, 0);
     add_box(facets, Point<3>(2, 0.2, 0), Point<3>(8, 3, 4), 48, side_faces);
-    WaterLoad<3> load(grid, water("left", 2.2));
-    load.find_wetted_facets(facets);
+    StandingWater<3> load(grid, water("left", 2.2));
+    load.find(facets);
     EXPECT_NEAR(load.spatial_resultant().force[0], 2. * gamma_w * 4., 1e-10);
     EXPECT_NEAR(load.spatial_resultant().force[1], 0., 1e-10);
   }
@@ -308,9 +258,9 @@ namespace loads_wetted_facets
             return std::min({crest, slope});
           },
           bottom_face | side_faces);
-        const double level = 2.25;
-        WaterLoad<3> load(grid, water("left", level));
-        load.find_wetted_facets(facets);
+        const double     level = 2.25;
+        StandingWater<3> load(grid, water("left", level));
+        load.find(facets);
         const double outer = wet_area(load, 0., 6.),
                      inner = wet_area(load, 10., 16.);
         EXPECT_GT(outer, 10.);
@@ -325,13 +275,13 @@ namespace loads_wetted_facets
                         0.5 * gamma_w * level * level * 8.,
                         1e-9);
           }
-        for (const Facet<3> &facet : load.wetted_facets())
+        for (const Facet<3> &facet : load.facets())
           for (const Point<3> &x : facet.vertices)
             ASSERT_LE(x[1], level + 1e-12);
 
         // And from the other side.
-        WaterLoad<3> right(grid, water("right", level));
-        right.find_wetted_facets(facets);
+        StandingWater<3> right(grid, water("right", level));
+        right.find(facets);
         EXPECT_EQ(wet_area(right, 0., 5.) > 0., has_gap);
         EXPECT_GT(wet_area(right, 10., 16.), 10.);
       }
@@ -353,17 +303,17 @@ namespace loads_wetted_facets
         return std::hypot(x - 10, z - 2) < 1.5 ? 1. : 2.5;
       },
       3u | bottom_face | side_faces);
-    WaterLoad<3> load(grid, water("left", 2.));
-    load.find_wetted_facets(facets);
+    StandingWater<3> load(grid, water("left", 2.));
+    load.find(facets);
     EXPECT_NEAR(wet_area(load, 0., 3.), 3. * 4., 0.1);
     EXPECT_EQ(wet_area(load, 6., 16.), 0.);
     // 1 m deep over 4 x 4 m, but for what is rounded at the foot of the bank.
     EXPECT_NEAR(load.spatial_resultant().force[1] / (16. * gamma_w), -1., 0.08);
 
     // The pit cannot be reached from the right either.
-    WaterLoad<3> right(grid, water("right", 2.));
-    right.find_wetted_facets(facets);
-    EXPECT_TRUE(right.wetted_facets().empty());
+    StandingWater<3> right(grid, water("right", 2.));
+    right.find(facets);
+    EXPECT_TRUE(right.facets().empty());
   }
 
 
@@ -382,23 +332,21 @@ namespace loads_wetted_facets
         {{facet.vertices[0], facet.vertices[2], facet.vertices[1]}}));
     EXPECT_NEAR(enclosed_volume(facets), 1. + 18. - 1., 1e-12);
 
-    WaterLoad<3> load(grid, water("left", 4.5));
-    load.find_wetted_facets(facets);
-    EXPECT_EQ(load.wetted_facets().size(), 12u);
+    StandingWater<3> load(grid, water("left", 4.5));
+    load.find(facets);
+    EXPECT_EQ(load.facets().size(), 12u);
     EXPECT_NEAR(load.spatial_resultant().force[1], 18. * gamma_w, 1e-10);
     EXPECT_NEAR(load.spatial_resultant().force[0], 0., 1e-10);
 
     // Floating.
     load.set_level(2.5);
-    load.find_wetted_facets(facets);
+    load.find(facets);
     EXPECT_NEAR(load.spatial_resultant().force[1], 9. * gamma_w, 1e-10);
 
     // Out of the water, and without water.
     load.set_level(0.5);
-    load.find_wetted_facets(facets);
-    EXPECT_TRUE(load.wetted_facets().empty());
-    WaterLoad<3> none(grid, water("none", 4.));
-    none.find_wetted_facets(facets);
-    EXPECT_TRUE(none.wetted_facets().empty());
+    load.find(facets);
+    EXPECT_TRUE(load.facets().empty());
+    EXPECT_EQ(make_wet_surface(grid, WaterSide::none, {}), nullptr);
   }
 } // namespace loads_wetted_facets

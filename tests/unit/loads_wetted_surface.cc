@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/parameter_handler.h>
 
-#include <waker/loads/water_load.h>
-
 #include "named.h"
+#include "standing_water.h"
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -59,11 +58,11 @@ namespace loads_wetted_surface
                                  Point<2>(6, 5),
                                  h,
                                  MPI_COMM_SELF);
-    WaterLoad<2>            load(grid, water("left", 3.));
-    load.find_wetted_segments(rectangle(Point<2>(2, 0), Point<2>(5, 4)));
-    ASSERT_EQ(load.wetted_segments().size(), 1u);
-    EXPECT_EQ(load.wetted_segments()[0].normal[0], -1.);
-    EXPECT_EQ(load.wetted_segments()[0].to[1], 3.);
+    StandingWater<2>        load(grid, water("left", 3.));
+    load.find(rectangle(Point<2>(2, 0), Point<2>(5, 4)));
+    ASSERT_EQ(load.segments().size(), 1u);
+    EXPECT_EQ(load.segments()[0].normal[0], -1.);
+    EXPECT_EQ(load.segments()[0].vertices[1][1], 3.);
 
     NodalVector force(grid.n_dofs());
     load.add_nodal_forces(std::vector<double>(grid.n_nodes(), 1.), 1., force);
@@ -93,8 +92,8 @@ namespace loads_wetted_surface
       }
 
     // On the other side it pushes the other way.
-    WaterLoad<2> right(grid, water("right", 3.));
-    right.find_wetted_segments(rectangle(Point<2>(2, 0), Point<2>(5, 4)));
+    StandingWater<2> right(grid, water("right", 3.));
+    right.find(rectangle(Point<2>(2, 0), Point<2>(5, 4)));
     EXPECT_NEAR(right.resultant().force[0], -total, 1e-12);
     EXPECT_NEAR(right.resultant().moment, total * 1., 1e-12);
   }
@@ -119,9 +118,9 @@ namespace loads_wetted_surface
     chain.on_face         = {2, -1, -1, -1, -1, -1};
     const Surface surface = {{chain}};
     const auto    n_wet   = [&](const std::string &side, const double level) {
-      WaterLoad<2> load(grid, water(side, level));
-      load.find_wetted_segments(surface);
-      return load.wetted_segments().size();
+      StandingWater<2> load(grid, water(side, level));
+      load.find(surface);
+      return load.segments().size();
     };
     EXPECT_EQ(n_wet("left", 2.5), 1u);
     EXPECT_EQ(n_wet("left", 3.5), 3u);
@@ -136,24 +135,22 @@ namespace loads_wetted_surface
     EXPECT_EQ(n_wet("left", 7.), 5u);
 
     // A submerged body that touches nothing feels its buoyancy only.
-    WaterLoad<2> load(grid, water("left", 7.));
-    load.find_wetted_segments(rectangle(Point<2>(3, 1), Point<2>(5, 4), -1));
-    EXPECT_EQ(load.wetted_segments().size(), 4u);
+    StandingWater<2> load(grid, water("left", 7.));
+    load.find(rectangle(Point<2>(3, 1), Point<2>(5, 4), -1));
+    EXPECT_EQ(load.segments().size(), 4u);
     EXPECT_NEAR(load.resultant().force[0], 0., 1e-12);
     EXPECT_NEAR(load.resultant().force[1], 9.81 * 6, 1e-12);
     EXPECT_NEAR(load.resultant().moment, 4 * 9.81 * 6, 1e-11);
 
     // One that sticks out of the water is wet on both sides if it is more than
     // a cell above the base; else it lies on it, and the water on one side.
-    WaterLoad<2> shallow(grid, water("left", 2.));
-    shallow.find_wetted_segments(
-      rectangle(Point<2>(3, 1.25), Point<2>(5, 4), -1));
-    EXPECT_EQ(shallow.wetted_segments().size(), 3u);
+    StandingWater<2> shallow(grid, water("left", 2.));
+    shallow.find(rectangle(Point<2>(3, 1.25), Point<2>(5, 4), -1));
+    EXPECT_EQ(shallow.segments().size(), 3u);
     EXPECT_NEAR(shallow.resultant().force[0], 0., 1e-12);
     EXPECT_NEAR(shallow.resultant().force[1], 9.81 * 2 * 0.75, 1e-12);
-    shallow.find_wetted_segments(
-      rectangle(Point<2>(3, 0.75), Point<2>(5, 4), -1));
-    EXPECT_EQ(shallow.wetted_segments().size(), 1u);
+    shallow.find(rectangle(Point<2>(3, 0.75), Point<2>(5, 4), -1));
+    EXPECT_EQ(shallow.segments().size(), 1u);
     EXPECT_NEAR(shallow.resultant().force[0], 9.81 * 1.25 * 1.25 / 2, 1e-12);
 
     // Ground that reaches the closed wall: loaded from where it leaves it.
@@ -165,10 +162,10 @@ namespace loads_wetted_surface
                        Point<2>(4, 2),
                        Point<2>(0, 2)};
     ground.on_face  = {2, -1, -1, -1, -1, 0};
-    load.find_wetted_segments({{ground}});
-    ASSERT_GE(load.wetted_segments().size(), 2u);
-    EXPECT_EQ(load.wetted_segments()[0].from, Point<2>(0, 2));
-    EXPECT_EQ(load.wetted_segments()[0].normal[1], 1.);
+    load.find(Surface{{ground}});
+    ASSERT_GE(load.segments().size(), 2u);
+    EXPECT_EQ(load.segments()[0].vertices[0], Point<2>(0, 2));
+    EXPECT_EQ(load.segments()[0].normal[1], 1.);
   }
 
 

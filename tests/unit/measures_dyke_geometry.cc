@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/measures/dyke_geometry.h>
+#include <waker/surface/shape/surface.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +22,12 @@ namespace measures_dyke_geometry
       return chain;
     }
 
+    DykeGeometry
+    measure(const Surface &chains, const double level)
+    {
+      return measure_dyke(to_facets(chains), level);
+    }
+
     // 1:2 slopes, crest from x = 10 to 14 at y = 5.
     Surface
     trapezium()
@@ -34,7 +41,7 @@ namespace measures_dyke_geometry
 
   TEST(Measures, dyke_height_and_width)
   {
-    const DykeGeometry dyke = measure_dyke(trapezium(), 3.);
+    const DykeGeometry dyke = measure(trapezium(), 3.);
     EXPECT_EQ(dyke.height, 5.);
     EXPECT_NEAR(dyke.width, 12., 1e-13);
     ASSERT_EQ(dyke.parts.size(), 1u);
@@ -45,20 +52,20 @@ namespace measures_dyke_geometry
     Surface low = trapezium();
     for (Point<2> &v : low.chains[0].vertices)
       v[1] -= 20.;
-    EXPECT_EQ(measure_dyke(low, -17.).height, -15.);
-    EXPECT_NEAR(measure_dyke(low, -17.).width, 12., 1e-12);
+    EXPECT_EQ(measure(low, -17.).height, -15.);
+    EXPECT_NEAR(measure(low, -17.).width, 12., 1e-12);
 
     // Flooded, no soil.
-    EXPECT_EQ(measure_dyke(trapezium(), 5.5).width, 0.);
-    EXPECT_TRUE(measure_dyke(trapezium(), 5.5).parts.empty());
-    EXPECT_EQ(measure_dyke(Surface(), 1.).width, 0.);
+    EXPECT_EQ(measure(trapezium(), 5.5).width, 0.);
+    EXPECT_TRUE(measure(trapezium(), 5.5).parts.empty());
+    EXPECT_EQ(measure(Surface(), 1.).width, 0.);
     // Lower than any level: 0 is one.
-    EXPECT_LT(measure_dyke(Surface(), 1.).height, -1e300);
+    EXPECT_LT(measure(Surface(), 1.).height, -1e300);
 
     // No level, no width.
     const double none = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_TRUE(std::isnan(measure_dyke(trapezium(), none).width));
-    EXPECT_EQ(measure_dyke(trapezium(), none).height, 5.);
+    EXPECT_TRUE(std::isnan(measure(trapezium(), none).width));
+    EXPECT_EQ(measure(trapezium(), none).height, 5.);
   }
 
 
@@ -73,14 +80,14 @@ namespace measures_dyke_geometry
                                           Point<2>(6, 2),
                                           Point<2>(2, 2),
                                           Point<2>(1, 1)})}};
-    EXPECT_EQ(measure_dyke(through, 1.).width, 6.);
+    EXPECT_EQ(measure(through, 1.).width, 6.);
 
     const Surface notch = {{make_chain({Point<2>(0, 0),
                                         Point<2>(8, 0),
                                         Point<2>(8, 2),
                                         Point<2>(4, 1),
                                         Point<2>(0, 2)})}};
-    EXPECT_EQ(measure_dyke(notch, 1.).width, 8.);
+    EXPECT_EQ(measure(notch, 1.).width, 8.);
 
     const Surface peak = {{make_chain({Point<2>(0, 0),
                                        Point<2>(10, 0),
@@ -89,12 +96,12 @@ namespace measures_dyke_geometry
                                        Point<2>(4, 1),
                                        Point<2>(2, 0.5),
                                        Point<2>(0, 3)})}};
-    EXPECT_NEAR(measure_dyke(peak, 1.).width, 1.6 + 1.6, 1e-13);
+    EXPECT_NEAR(measure(peak, 1.).width, 1.6 + 1.6, 1e-13);
 
     // The base at the level counts, the crest at the level does not.
-    EXPECT_EQ(measure_dyke(trapezium(), 0.).width, 24.);
-    EXPECT_EQ(measure_dyke(trapezium(), 5.).width, 0.);
-    EXPECT_NEAR(measure_dyke(trapezium(), 5. - 1e-12).width, 4., 1e-9);
+    EXPECT_EQ(measure(trapezium(), 0.).width, 24.);
+    EXPECT_EQ(measure(trapezium(), 5.).width, 0.);
+    EXPECT_NEAR(measure(trapezium(), 5. - 1e-12).width, 4., 1e-9);
   }
 
 
@@ -119,7 +126,7 @@ namespace measures_dyke_geometry
                    Point<2>(14, 3),
                    Point<2>(14, 1)})}};
 
-    const DykeGeometry dyke = measure_dyke(surface, 2.);
+    const DykeGeometry dyke = measure(surface, 2.);
     EXPECT_EQ(dyke.height, 6.);
     const std::vector<std::array<double, 2>> parts = {{{2., 5.}},
                                                       {{10., 12.}},
@@ -129,7 +136,7 @@ namespace measures_dyke_geometry
     EXPECT_DOUBLE_EQ(dyke.width, 16.);
 
     // Two bodies that touch are one part.
-    const DykeGeometry touching = measure_dyke(
+    const DykeGeometry touching = measure(
       {{make_chain(
           {Point<2>(5, 0), Point<2>(9, 0), Point<2>(9, 3), Point<2>(5, 3)}),
         make_chain(
@@ -145,7 +152,7 @@ namespace measures_dyke_geometry
         for (Point<2> &v : chain.vertices)
           v[0] = -v[0];
       }
-    const DykeGeometry mirrored = measure_dyke(surface, 2.);
+    const DykeGeometry mirrored = measure(surface, 2.);
     ASSERT_EQ(mirrored.parts.size(), 4u);
     EXPECT_EQ(mirrored.parts[0][0], -30.);
     EXPECT_DOUBLE_EQ(mirrored.width, dyke.width);

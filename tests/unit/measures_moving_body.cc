@@ -230,7 +230,7 @@ namespace measures_moving_body
       record.watch_slopes(block.points, block.grid, -1, time, limits);
     };
     look(1.);
-    EXPECT_EQ(record.slope(), "");
+    EXPECT_EQ(record.slope(), Slopes::none);
     EXPECT_FALSE(record.failed());
 
     block.move([](const Point<2> &x) { return x[0] < 2.; }, -0.09, 0.);
@@ -238,7 +238,7 @@ namespace measures_moving_body
     EXPECT_FALSE(record.failed());
     block.move([](const Point<2> &x) { return x[0] < 2.; }, -0.02, 0.);
     look(3.);
-    EXPECT_EQ(record.slope(), "inner");
+    EXPECT_EQ(record.slope(), Slopes::inner);
     EXPECT_EQ(record.inner_slide.time, 3.);
     EXPECT_NEAR(record.inner_slide.body.crest_cut, 2., 1e-12);
     EXPECT_EQ(record.time_of(FailureReading::by_displacement), 3.);
@@ -249,7 +249,7 @@ namespace measures_moving_body
     block.move([](const Point<2> &x) { return x[0] < 2.; }, -5., -1.);
     block.move([](const Point<2> &x) { return x[0] > 9.; }, 0.11, 0.);
     look(4.);
-    EXPECT_EQ(record.slope(), "both");
+    EXPECT_EQ(record.slope(), Slopes::both);
     EXPECT_EQ(record.inner_slide.time, 3.);
     EXPECT_EQ(record.outer_slide.time, 4.);
     EXPECT_NEAR(record.outer_slide.body.area, 4., 1e-12);

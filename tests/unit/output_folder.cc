@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
-#include <waker/base/file_error.h>
-#include <waker/base/hash.h>
 #include <waker/output/files.h>
 #include <waker/output/folder_lock.h>
 #include <waker/output/output_folder.h>
-#include <waker/output/pvd.h>
-#include <waker/output/summary.h>
 
 #include "output_temporary_folder.h"
 #include "processes.h"
 #include "user_errors.h"
 #include <array>
 #include <gtest/gtest.h>
-#include <limits>
-#include <sys/resource.h>
 #include <sys/stat.h>
 
 namespace Waker::output_folder
@@ -303,183 +297,5 @@ namespace Waker::output_folder
     prepare_output_folder(folder.path, FolderMode::must_be_new, "a");
     EXPECT_TRUE(
       contains(problem(folder.path, FolderMode::must_be_new), "is not empty"));
-  }
-
-
-  TEST(Output, append_file_takes_a_text_whole_or_not_at_all)
-  {
-    const TemporaryFolder folder;
-    {
-      AppendFile file(folder.file("a"), false);
-      EXPECT_TRUE(file.write("one\n"));
-      EXPECT_TRUE(file.sync());
-    }
-    {
-      AppendFile file(folder.file("a"), false);
-      EXPECT_TRUE(file.write("two\n"));
-    }
-    EXPECT_EQ(get(folder.file("a")), "one\ntwo\n");
-    {
-      AppendFile file(folder.file("a"), true);
-    }
-    EXPECT_EQ(get(folder.file("a")), "");
-    if (fs::exists("/dev/full"))
-      {
-        EXPECT_USER_ERROR(AppendFile("/dev/full", false),
-                          "Output/Directory",
-                          "'/dev/full' is no regular file, but a device");
-      }
-
-    // A limit on the size of files takes a part of the text, as a full disk.
-    const pid_t pid = in_another_process([&]() {
-      ::signal(SIGXFSZ, SIG_IGN);
-      const rlimit limit = {10, 10};
-      ::setrlimit(RLIMIT_FSIZE, &limit);
-      AppendFile file(folder.file("b"), false);
-      if (!file.write("1234567\n") || file.write("1234567\n"))
-        return 1;
-      return file.write("9\n") ? 0 : 2; // what fits still does
-    });
-    EXPECT_EQ(exit_code(pid), 0);
-    EXPECT_EQ(get(folder.file("b")), "1234567\n9\n");
-
-    put(folder.file("mine"), "mine");
-    fs::create_symlink("mine", folder.file("link"));
-    EXPECT_THROW(AppendFile(folder.file("link"), true), UserError);
-    EXPECT_EQ(get(folder.file("mine")), "mine");
-  }
-
-
-  TEST(Output, file_that_cannot_be_written_stays_as_it_was)
-  {
-    const TemporaryFolder folder;
-    put(folder.file("a"), "before");
-    const pid_t pid = in_another_process([&]() {
-      ::signal(SIGXFSZ, SIG_IGN);
-      const rlimit limit = {1000, 1000};
-      ::setrlimit(RLIMIT_FSIZE, &limit);
-      try
-        {
-          write_file(folder.file("a"), std::string(5000, 'x'));
-        }
-      catch (const FileError &error)
-        {
-          return contains(error.problem, "File too large") ? 0 : 1;
-        }
-      return 2;
-    });
-    EXPECT_EQ(exit_code(pid), 0);
-    EXPECT_EQ(get(folder.file("a")), "before");
-    EXPECT_FALSE(fs::exists(folder.file("a.tmp")));
-  }
-
-
-  TEST(Output, file_that_is_read_must_be_one)
-  {
-    const TemporaryFolder folder;
-    put(folder.file("empty"), "");
-    EXPECT_EQ(read_file(folder.file("empty")), "");
-    const auto why = [&](const std::string &name) -> std::string {
-      try
-        {
-          read_file(folder.file(name));
-        }
-      catch (const UserError &error)
-        {
-          return error.problem;
-        }
-      return "";
-    };
-    EXPECT_EQ(why("none"), "cannot be read: No such file or directory");
-    EXPECT_EQ(why("."), "cannot be read: it is a folder");
-  }
-
-
-  TEST(Output, pvd_of_a_resumed_run_forgets_what_came_after_the_checkpoint)
-  {
-    const TemporaryFolder folder;
-    fs::create_directory(folder.file("solution"));
-    std::vector<PvdEntry> at_checkpoint;
-    {
-      PvdSeries series(folder.path, FieldSeries::particles);
-      for (unsigned int i = 0; i < 5; ++i)
-        {
-          put(series.next_path(), "frame");
-          series.add(0.1 * i, checksum_of_text("frame"));
-          if (i == 2)
-            at_checkpoint = series.entries();
-        }
-    }
-    ASSERT_EQ(at_checkpoint.size(), 3u);
-    EXPECT_EQ(at_checkpoint[2].file, "solution/particles-00002.vtu");
-    const std::string whole = get(folder.file("particles.pvd"));
-    EXPECT_TRUE(contains(whole,
-                         "timestep=\"0.4\" group=\"\" part=\"0\" "
-                         "file=\"solution/particles-00004.vtu\""));
-
-    PvdSeries series(folder.path, FieldSeries::particles);
-    series.restore(at_checkpoint);
-    EXPECT_FALSE(contains(get(folder.file("particles.pvd")), "00003"));
-    EXPECT_TRUE(contains(get(folder.file("particles.pvd")), "00002"));
-    EXPECT_TRUE(fs::exists(folder.file("solution/particles-00002.vtu")));
-    EXPECT_FALSE(fs::exists(folder.file("solution/particles-00003.vtu")));
-    EXPECT_FALSE(fs::exists(folder.file("solution/particles-00004.vtu")));
-
-    for (unsigned int i = 3; i < 5; ++i)
-      {
-        put(series.next_path(), "frame");
-        series.add(0.1 * i, checksum_of_text("frame"));
-      }
-    EXPECT_EQ(get(folder.file("particles.pvd")), whole);
-  }
-
-
-  TEST(Output, summary_comes_back_as_it_was)
-  {
-    const TemporaryFolder folder;
-    Summary               summary;
-    summary.outcome              = "flooding";
-    summary.stop_reason          = "a \"quoted\" reason";
-    summary.initial_failure_time = 3.141592653589793;
-    summary.residual_width       = 0.1 + 0.2;
-    summary.residual_height      = std::numeric_limits<double>::quiet_NaN();
-    summary.steps                = 9007199254740993; // no double holds it
-    summary.unconverged_steps    = 2;
-    summary.parameters_hash      = "abc";
-    summary.write(folder.file("summary.json"));
-
-    const Summary read = Summary::read(folder.file("summary.json"));
-    EXPECT_EQ(read.outcome, summary.outcome);
-    EXPECT_EQ(read.stop_reason, summary.stop_reason);
-    EXPECT_EQ(read.initial_failure_time, summary.initial_failure_time);
-    EXPECT_FALSE(read.initial_failure_time_thesis.has_value());
-    EXPECT_FALSE(read.flooding_time.has_value());
-    EXPECT_EQ(read.residual_width, summary.residual_width);
-    EXPECT_NE(read.residual_height, read.residual_height);
-    EXPECT_EQ(read.steps, summary.steps);
-    EXPECT_EQ(read.unconverged_steps, 2u);
-    EXPECT_EQ(read.parameters_hash, "abc");
-    EXPECT_FALSE(read.version.empty());
-    EXPECT_FALSE(read.compiler.empty());
-    EXPECT_TRUE(
-      contains(get(folder.file("summary.json")), "\"flooding_time\": null"));
-    EXPECT_FALSE(fs::exists(folder.file("summary.json.tmp")));
-  }
-
-
-  TEST(Output, summary_of_a_newer_version_or_none_is_refused)
-  {
-    const TemporaryFolder folder;
-    const std::string     path = folder.file("summary.json");
-    EXPECT_USER_ERROR(Summary::read(path), path, "cannot be read");
-    put(path, "{\"outcome\": ");
-    EXPECT_USER_ERROR(Summary::read(path), path, "is not a summary");
-    Summary summary;
-    summary.schema_version = Summary::current_schema_version + 1;
-    summary.write(path);
-    EXPECT_USER_ERROR(Summary::read(path),
-                      path,
-                      "has schema version " +
-                        std::to_string(summary.schema_version));
   }
 } // namespace Waker::output_folder

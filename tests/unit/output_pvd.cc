@@ -8,8 +8,17 @@
 
 namespace Waker::output_pvd
 {
+  namespace fs = std::filesystem;
+
   namespace
   {
+    bool
+    contains(const std::string &text, const std::string &part)
+    {
+      return text.find(part) != std::string::npos;
+    }
+
+
     /// Three files of a series, and the entries of which the first two are.
     std::vector<PvdEntry>
     two_of_three(const TemporaryFolder &folder)
@@ -64,5 +73,44 @@ namespace Waker::output_pvd
     std::filesystem::remove(folder.file(first));
     EXPECT_EQ(series.restore(entries),
               (std::vector<std::string>{first, second}));
+  }
+
+
+  TEST(Output, pvd_of_a_resumed_run_forgets_what_came_after_the_checkpoint)
+  {
+    const TemporaryFolder folder;
+    fs::create_directory(folder.file("solution"));
+    std::vector<PvdEntry> at_checkpoint;
+    {
+      PvdSeries series(folder.path, FieldSeries::particles);
+      for (unsigned int i = 0; i < 5; ++i)
+        {
+          put(series.next_path(), "frame");
+          series.add(0.1 * i, checksum_of_text("frame"));
+          if (i == 2)
+            at_checkpoint = series.entries();
+        }
+    }
+    ASSERT_EQ(at_checkpoint.size(), 3u);
+    EXPECT_EQ(at_checkpoint[2].file, "solution/particles-00002.vtu");
+    const std::string whole = get(folder.file("particles.pvd"));
+    EXPECT_TRUE(contains(whole,
+                         "timestep=\"0.4\" group=\"\" part=\"0\" "
+                         "file=\"solution/particles-00004.vtu\""));
+
+    PvdSeries series(folder.path, FieldSeries::particles);
+    series.restore(at_checkpoint);
+    EXPECT_FALSE(contains(get(folder.file("particles.pvd")), "00003"));
+    EXPECT_TRUE(contains(get(folder.file("particles.pvd")), "00002"));
+    EXPECT_TRUE(fs::exists(folder.file("solution/particles-00002.vtu")));
+    EXPECT_FALSE(fs::exists(folder.file("solution/particles-00003.vtu")));
+    EXPECT_FALSE(fs::exists(folder.file("solution/particles-00004.vtu")));
+
+    for (unsigned int i = 3; i < 5; ++i)
+      {
+        put(series.next_path(), "frame");
+        series.add(0.1 * i, checksum_of_text("frame"));
+      }
+    EXPECT_EQ(get(folder.file("particles.pvd")), whole);
   }
 } // namespace Waker::output_pvd

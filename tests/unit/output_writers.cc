@@ -129,10 +129,9 @@ namespace Waker::output_writers
     surface.chains[0].on_face  = {2, -1, -1};
     surface.chains[1].vertices = {{5., 0.}, {6., 0.}, {6., 1.}, {5., 1.}};
     surface.chains[1].on_face  = {2, -1, -1, -1};
-    LoadedSegment wetted;
-    wetted.from = Point<2>(0., 0.);
-    wetted.to   = Point<2>(1., 1.);
-    write_surface(surface, {wetted}, {}, 0., folder.file("surface.vtu"));
+    const Facet<2> wetted = make_facet<2>({{Point<2>(), Point<2>(1., 1.)}});
+    write_surface<2>(
+      to_facets(surface), {wetted}, {}, 0., folder.file("surface.vtu"));
 
     const std::string vtu = get(folder.file("surface.vtu"));
     EXPECT_TRUE(contains(vtu, piece(2 * 8, 8)));

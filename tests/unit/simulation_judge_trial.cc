@@ -24,12 +24,12 @@ namespace simulation_judge_trial
   TEST(Simulation, trial_that_has_not_failed_is_stable_only_at_its_end)
   {
     EXPECT_EQ(judge({}, {}).result, TrialResult::stable);
-    EXPECT_EQ(judge({}, {}).outcome, "stable");
+    EXPECT_EQ(judge({}, {}).outcome, Outcome::stable);
     EXPECT_EQ(judge({}, {}).time, 9.);
     Unrest unrest;
     unrest.loads_change = true;
     EXPECT_EQ(judge({}, unrest).result, TrialResult::undecided);
-    EXPECT_EQ(judge({}, unrest).outcome, "loads still change");
+    EXPECT_EQ(judge({}, unrest).outcome, Outcome::loads_change);
 
     // Another reading than the one that counts.
     FailureRecord failure;
@@ -38,7 +38,7 @@ namespace simulation_judge_trial
     const Trial trial = judge(failure, {}, FailureReading::any);
     EXPECT_EQ(trial.result, TrialResult::failed);
     EXPECT_EQ(trial.time, 3.);
-    EXPECT_EQ(trial.reading, "width or height");
+    EXPECT_EQ(trial.reading, FailureReading::by_geometry);
   }
 
 
@@ -57,8 +57,8 @@ namespace simulation_judge_trial
             const Trial trial = judge(failure, unrest, reading);
             EXPECT_EQ(trial.result, TrialResult::failed);
             EXPECT_EQ(trial.time, 4.);
-            EXPECT_EQ(trial.outcome, "flooding");
-            EXPECT_EQ(trial.reading, "");
+            EXPECT_EQ(trial.outcome, Outcome::flooding);
+            EXPECT_FALSE(trial.reading);
           }
       }
     // The reading that saw it first says when.

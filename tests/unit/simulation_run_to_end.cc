@@ -12,7 +12,7 @@ namespace simulation_run_to_end
 
   namespace
   {
-    /// Counts, and leaves after so many steps.
+    /// Counts, and interrupts after so many steps.
     class Counter : public Watcher
     {
     public:
@@ -20,23 +20,26 @@ namespace simulation_run_to_end
         : most(most)
       {}
 
-      bool
-      looked(const StopReason stop) override
+      void
+      looked(const StopReason stop, const bool is_last) override
       {
         ++n_looks;
+        n_last += is_last;
         last = stop;
-        return n_steps < most;
       }
 
       void
       advanced() override
       {
         ++n_steps;
+        signal = n_steps == most;
       }
 
       const unsigned int most;
-      unsigned int       n_looks = 0, n_steps = 0;
-      StopReason         last = StopReason::flooding;
+      unsigned int       n_looks = 0, n_steps = 0, n_last = 0;
+
+      volatile std::sig_atomic_t signal = 0;
+      StopReason                 last   = StopReason::flooding;
     };
 
 
@@ -57,22 +60,26 @@ namespace simulation_run_to_end
     State<2>       state = initial_state(the_case);
     Realisation<2> realisation(the_case, state);
     Counter        all(100);
-    EXPECT_EQ(run_to_end(realisation, all), StopReason::end_time);
+    EXPECT_EQ(run_to_end(realisation, all, &all.signal), StopReason::end_time);
     EXPECT_EQ(all.n_steps, 5u);
     EXPECT_EQ(all.n_looks, 6u);
+    EXPECT_EQ(all.n_last, 1u);
     EXPECT_EQ(all.last, StopReason::end_time);
     EXPECT_EQ(state.step, 5u);
   }
 
 
-  TEST(Simulation, run_to_end_can_be_left)
+  TEST(Simulation, run_to_end_can_be_interrupted)
   {
     const Case<2>  the_case(five_steps(), MPI_COMM_SELF);
     State<2>       state = initial_state(the_case);
     Realisation<2> realisation(the_case, state);
     Counter        two(2);
-    EXPECT_EQ(run_to_end(realisation, two), StopReason::none);
+    EXPECT_EQ(run_to_end(realisation, two, &two.signal), StopReason::none);
     EXPECT_EQ(state.step, 2u);
+    EXPECT_EQ(two.n_looks, 3u);
+    EXPECT_EQ(two.n_last, 1u); // it knows, and can keep what there is
+    EXPECT_EQ(two.last, StopReason::none);
     // And gone on with.
     EXPECT_EQ(run_to_end(realisation), StopReason::end_time);
     EXPECT_EQ(state.step, 5u);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/base/last_change.h>
+#include <waker/materials/linear_elastic.h>
 #include <waker/simulation/step_control.h>
 
+#include "user_errors.h"
 #include <gtest/gtest.h>
 #include <string>
 #include <vector>
@@ -129,6 +132,46 @@ namespace simulation_step_control
         EXPECT_FALSE(scheme_traits(time).has_inertia);
         EXPECT_TRUE(scheme_traits(time).is_implicit);
         EXPECT_EQ(scheme_traits(time).moves_points, moves);
+      }
+  }
+
+
+  TEST(StepControl, schemes_say_their_first_step)
+  {
+    // K + 4G/3 = E for nu = 0: waves of sqrt(90 / 2.5) = 6 m/s.
+    Materials materials;
+    materials.push_back(std::make_unique<LinearElastic>(2.5, 90., 0.));
+    TimeParameters time;
+    time.time_step      = 0.5;
+    time.courant_number = 0.3;
+    time.scheme         = Scheme::newmark;
+    EXPECT_EQ(first_time_step(time, materials, 0.2), 0.5);
+    EXPECT_NEAR(chosen_courant_number(time, materials, 0.2).value_or(0.),
+                15.,
+                1e-13);
+    time.scheme = Scheme::explicit_steps;
+    EXPECT_NEAR(first_time_step(time, materials, 0.2), 0.01, 1e-16);
+    EXPECT_FALSE(chosen_courant_number(time, materials, 0.2));
+    time.scheme = Scheme::quasi_static;
+    EXPECT_EQ(first_time_step(time, materials, 0.2), 0.5);
+    EXPECT_FALSE(chosen_courant_number(time, materials, 0.2));
+
+    time.load_duration = 4.;
+    EXPECT_EQ(full_loads_from(time), 4.);
+    EXPECT_NO_THROW(require_implicit(time, "there is a test"));
+    time.scheme = Scheme::newmark;
+    EXPECT_EQ(full_loads_from(time), LastChange::never);
+    time.scheme = Scheme::explicit_steps;
+    EXPECT_USER_ERROR(require_implicit(time, "there is a test"),
+                      "Time stepping/Scheme",
+                      "explicit, but there is a test");
+    try
+      {
+        require_implicit(time, "");
+      }
+    catch (const UserError &error)
+      {
+        EXPECT_EQ(error.allowed, "Newmark or quasi-static");
       }
   }
 } // namespace simulation_step_control

@@ -23,15 +23,17 @@ namespace Waker::simulation_trial_table
     write_three(const TemporaryFolder &folder)
     {
       TrialTable table(folder.path, key, false);
-      table.add(0.5, {TrialResult::undecided, 40., "still moving", "", "", 1});
+      table.add(
+        0.5, {TrialResult::undecided, 40., Outcome::still_moving, {}, {}, 1});
       table.add(2.,
                 {TrialResult::failed,
                  1.25,
-                 "initial failure",
-                 "width or height",
-                 "inner",
+                 Outcome::initial_failure,
+                 FailureReading::by_geometry,
+                 Slopes::inner,
                  2});
-      table.add(1. / 3., {TrialResult::stable, 12.5, "stable", "", "", 1});
+      table.add(1. / 3.,
+                {TrialResult::stable, 12.5, Outcome::stable, {}, {}, 1});
     }
   } // namespace
 
@@ -47,12 +49,15 @@ namespace Waker::simulation_trial_table
     ASSERT_NE(trial, nullptr);
     EXPECT_EQ(trial->result, TrialResult::stable);
     EXPECT_EQ(trial->time, 12.5);
-    EXPECT_EQ(trial->outcome, "stable");
+    EXPECT_EQ(trial->outcome, Outcome::stable);
+    EXPECT_FALSE(trial->reading);
+    EXPECT_EQ(trial->slope, Slopes::none);
     EXPECT_EQ(table.find(0.5)->result, TrialResult::undecided);
+    EXPECT_EQ(table.find(0.5)->outcome, Outcome::still_moving);
     trial = table.find(2.);
     EXPECT_EQ(trial->result, TrialResult::failed);
-    EXPECT_EQ(trial->reading, "width or height");
-    EXPECT_EQ(trial->slope, "inner");
+    EXPECT_EQ(trial->reading, FailureReading::by_geometry);
+    EXPECT_EQ(trial->slope, Slopes::inner);
     EXPECT_EQ(trial->attempts, 2u);
     EXPECT_EQ(table.find(0.7), nullptr);
 

@@ -25,6 +25,10 @@ namespace Waker
   std::string
   in_quotes(const std::string &text);
 
+  /// What is allowed, for a message: "a", "a or b", "a, b or c".
+  std::string
+  either(const std::vector<std::string> &alternatives);
+
   /// Is it UTF-8, without control characters but the tab?
   bool
   is_plain_text(const std::string &text);

@@ -4,10 +4,10 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <waker/base/interrupt.h>
 #include <waker/campaign/input.h>
 #include <waker/store/campaign_info.h>
 
-#include <csignal>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -36,7 +36,7 @@ namespace Waker
     std::uint64_t last  = -1;
 
     /// Not 0: end cleanly. May be null.
-    const volatile std::sig_atomic_t *interrupt = nullptr;
+    Interrupt interrupt;
     /// See RunOptions.
     std::function<void()> before_writing;
   };

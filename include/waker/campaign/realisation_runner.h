@@ -2,13 +2,13 @@
 #ifndef waker_campaign_realisation_runner_h
 #define waker_campaign_realisation_runner_h
 
+#include <waker/base/interrupt.h>
 #include <waker/campaign/keeper.h>
 #include <waker/campaign/random_properties.h>
 #include <waker/simulation/attempts.h>
 #include <waker/simulation/realisation.h>
 #include <waker/store/record.h>
 
-#include <csignal>
 #include <functional>
 #include <optional>
 #include <string>
@@ -69,13 +69,13 @@ namespace Waker
      * @return nothing if interrupted
      */
     std::optional<Record>
-    run(const double *noise, const volatile std::sig_atomic_t *interrupt);
+    run(const double *noise, const Interrupt &interrupt);
 
     /// run() for realisation i of a campaign, with its realisation_noise().
     std::optional<Record>
-    run(const std::uint64_t               seed,
-        const std::uint64_t               realisation,
-        const volatile std::sig_atomic_t *interrupt)
+    run(const std::uint64_t seed,
+        const std::uint64_t realisation,
+        const Interrupt    &interrupt)
     {
       Keeper nobody;
       return run(seed, realisation, interrupt, nobody);
@@ -84,22 +84,23 @@ namespace Waker
     /// The same.
     /// @param keeper what it has kept is gone on with
     std::optional<Record>
-    run(const std::uint64_t               seed,
-        const std::uint64_t               realisation,
-        const volatile std::sig_atomic_t *interrupt,
-        Keeper                           &keeper);
+    run(const std::uint64_t seed,
+        const std::uint64_t realisation,
+        const Interrupt    &interrupt,
+        Keeper             &keeper);
 
   private:
     /// @param noise gives it when it is needed
     std::optional<Record>
     run_attempts(const std::function<const double *()> &noise,
-                 const volatile std::sig_atomic_t      *interrupt,
+                 const Interrupt                       &interrupt,
                  Keeper                                &keeper);
 
     /// @return false if interrupted
     bool
     record_run(const Case<dim> &the_case,
                Watcher         &watcher,
+               const Interrupt &interrupt,
                State<dim>      &state,
                Unfinished      &so_far) const;
 

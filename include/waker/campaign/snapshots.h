@@ -2,6 +2,7 @@
 #ifndef waker_campaign_snapshots_h
 #define waker_campaign_snapshots_h
 
+#include <waker/base/interrupt.h>
 #include <waker/campaign/campaign.h>
 #include <waker/simulation/run.h>
 
@@ -36,11 +37,11 @@ namespace Waker
    */
   template <int dim>
   bool
-  make_snapshots(const Scenarios                  &scenarios,
-                 const std::string                &folder,
-                 const std::string                &hash,
-                 const volatile std::sig_atomic_t *interrupt,
-                 const MPI_Comm                    communicator);
+  make_snapshots(const Scenarios   &scenarios,
+                 const std::string &folder,
+                 const std::string &hash,
+                 const Interrupt   &interrupt,
+                 const MPI_Comm     communicator);
 } // namespace Waker
 
 #endif

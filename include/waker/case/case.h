@@ -2,6 +2,7 @@
 #ifndef waker_case_case_h
 #define waker_case_case_h
 
+#include <waker/base/numbers.h>
 #include <waker/case/flow.h>
 #include <waker/case/parameters.h>
 #include <waker/loads/tractions.h>
@@ -58,7 +59,7 @@ namespace Waker
     double last_load_change = LastChange::never;
     /// Where W is measured (m); NaN: nowhere, as there is no level, or no soil
     /// at it.
-    double measuring_level = std::numeric_limits<double>::quiet_NaN();
+    double measuring_level = nan;
     /// Does the water load anything at t = 0?
     bool water_touches = false;
 

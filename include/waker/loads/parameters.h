@@ -2,7 +2,8 @@
 #ifndef waker_loads_parameters_h
 #define waker_loads_parameters_h
 
-#include <limits>
+#include <waker/base/numbers.h>
+
 #include <string>
 
 namespace dealii
@@ -44,7 +45,7 @@ namespace Waker
     WaterSide side = WaterSide::none;
     /// Level (m) on the vertical axis at which the dyke's width is measured,
     /// and to which `rise` is added. NaN: none, allowed without water.
-    double level = std::numeric_limits<double>::quiet_NaN();
+    double level = nan;
     /// Rise of the level in time (m): see base/time_function.h.
     std::string rise = "0";
     /// Unit weight (kN/m^3).

@@ -4,21 +4,11 @@
 
 #include <waker/surface/facet_links.h>
 #include <waker/surface/shape/facet.h>
-#include <waker/surface/shape/surface.h>
 
 #include <vector>
 
 namespace Waker
 {
-  /// A straight piece of the wetted surface, as loaded.
-  struct LoadedSegment
-  {
-    Point<2>     from;   // m
-    Point<2>     to;     // m
-    Tensor<1, 2> normal; // out of the body
-  };
-
-
   /**
    * The outer slope of the largest body, from its outer toe along its surface
    * up to where it first reaches the water level, the last segment clipped
@@ -33,18 +23,21 @@ namespace Waker
    * until it meets a closed face again, other than that wall. Water on the
    * right: mirrored.
    *
+   * @param section segments of closed chains, that of the largest body first
+   *        (to_facets())
    * @param level of the water (m)
    * @param bottom height of the lower side of the grid's box (m)
    * @param cell_size of the grid (m)
-   * @param wetted overwritten, from the toe up
+   * @param wetted overwritten, from the toe up: so do the vertices of each run,
+   *        whatever side the body is on
    */
   void
-  find_wetted_segments(const Surface              &surface,
-                       const bool                  water_left,
-                       const double                level,
-                       const double                bottom,
-                       const double                cell_size,
-                       std::vector<LoadedSegment> &wetted);
+  find_wetted_segments(const Facets<2> &section,
+                       const bool       water_left,
+                       const double     level,
+                       const double     bottom,
+                       const double     cell_size,
+                       Facets<2>       &wetted);
 
 
   /**

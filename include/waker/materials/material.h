@@ -4,7 +4,8 @@
 
 #include <deal.II/base/symmetric_tensor.h>
 
-#include <limits>
+#include <waker/base/numbers.h>
+
 #include <optional>
 #include <string>
 #include <utility>
@@ -24,7 +25,7 @@ namespace Waker
     {}
 
     InitialValue(const std::string &expression, const std::string &path)
-      : number(std::numeric_limits<double>::quiet_NaN())
+      : number(nan)
       , expression(expression)
       , path(path)
     {}

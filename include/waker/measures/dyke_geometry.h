@@ -2,7 +2,8 @@
 #ifndef waker_measures_dyke_geometry_h
 #define waker_measures_dyke_geometry_h
 
-#include <waker/surface/shape/surface.h>
+#include <waker/base/numbers.h>
+#include <waker/surface/shape/facet.h>
 
 #include <array>
 #include <limits>
@@ -20,19 +21,20 @@ namespace Waker
     /// lower than any level: -infinity.
     double height = -std::numeric_limits<double>::infinity();
     /// Where W is measured (m); NaN: nowhere.
-    double level = std::numeric_limits<double>::quiet_NaN();
+    double level = nan;
     /// W: total width of the soil that rises above the level, at that level
     /// (m). A crest exactly at the level counts as not above it. NaN if there
     /// is no level.
-    double width = std::numeric_limits<double>::quiet_NaN();
+    double width = nan;
     /// The intervals [x0, x1] of soil at the water level, from left to right:
     /// W may be a sum of parts (fig. 5.2e).
     std::vector<std::array<double, 2>> parts;
   };
 
+  /// @param section segments of closed chains
   /// @param level (m) at which W is measured, or NaN. Holes count as no soil.
   DykeGeometry
-  measure_dyke(const Surface &surface, const double level);
+  measure_dyke(const Facets<2> &section, const double level);
 } // namespace Waker
 
 #endif

@@ -5,8 +5,6 @@
 #include <waker/measures/dyke_geometry.h>
 #include <waker/measures/moving_body.h>
 
-#include <string>
-
 namespace Waker
 {
   struct InitialFailureLimits
@@ -39,6 +37,32 @@ namespace Waker
           return "width";
         case FailureReading::any:
           return "any";
+      }
+    return nullptr;
+  }
+
+  /// The slopes that have slid. The inner one falls away from the water.
+  enum class Slopes
+  {
+    none,
+    inner,
+    outer,
+    both
+  };
+
+  constexpr const char *
+  name_of(const Slopes slopes)
+  {
+    switch (slopes)
+      {
+        case Slopes::none:
+          return "";
+        case Slopes::inner:
+          return "inner";
+        case Slopes::outer:
+          return "outer";
+        case Slopes::both:
+          return "both";
       }
     return nullptr;
   }
@@ -93,9 +117,8 @@ namespace Waker
       return flooding_time >= 0.;
     }
 
-    /// Which slope has slid, by displacement: "inner", "outer", "both"; "" if
-    /// none has.
-    std::string
+    /// Which slope has slid, by displacement.
+    Slopes
     slope() const;
   };
 

@@ -2,10 +2,10 @@
 #ifndef waker_measures_moving_body_h
 #define waker_measures_moving_body_h
 
+#include <waker/base/numbers.h>
 #include <waker/grid/background_grid.h>
 #include <waker/particles/material_points.h>
 
-#include <limits>
 
 namespace Waker
 {
@@ -20,7 +20,7 @@ namespace Waker
     double distance = 0.;
     /// x where it is cut off from what remains of the crest (m); NaN if it
     /// does not reach the crest. If nothing of the crest remains, its far end.
-    double crest_cut = std::numeric_limits<double>::quiet_NaN();
+    double crest_cut = nan;
 
     template <typename Archive>
     void

@@ -2,10 +2,9 @@
 #ifndef waker_mechanics_implicit_scheme_h
 #define waker_mechanics_implicit_scheme_h
 
+#include <waker/mechanics/held_soil.h>
 #include <waker/mechanics/newton.h>
-#include <waker/mechanics/soil.h>
 #include <waker/mechanics/time_scheme.h>
-#include <waker/nodes/springs.h>
 
 #include <vector>
 
@@ -87,8 +86,7 @@ namespace Waker
     std::vector<double>    removed_increments;
 
   private:
-    Soil<dim>         soil;
-    Springs<dim>      springs;
+    HeldSoil<dim>     held;
     NewtonSolver<dim> newton;
   };
 } // namespace Waker

@@ -10,6 +10,8 @@
 #include <waker/nodes/resistance.h>
 
 #include <memory>
+#include <optional>
+#include <string>
 
 namespace Waker
 {
@@ -64,6 +66,30 @@ namespace Waker
   /// Of the scheme that the parameters choose.
   SchemeTraits
   scheme_traits(const TimeParameters &time);
+
+  /// @param what needs a scheme that solves for the end of a step: "there are
+  ///        walls off the grid"
+  /// @throws UserError "Time stepping/Scheme" if the one chosen does not
+  void
+  require_implicit(const TimeParameters &time, const std::string &what);
+
+  /// The step that the scheme takes at first (s), with soil at rest.
+  double
+  first_time_step(const TimeParameters &time,
+                  const Materials      &materials,
+                  const double          cell_size);
+
+  /// The cells that a compression wave crosses in a step; none if the user does
+  /// not choose how many, or nothing waves.
+  std::optional<double>
+  chosen_courant_number(const TimeParameters &time,
+                        const Materials      &materials,
+                        const double          cell_size);
+
+  /// The time from which all of the weight and the loads acts (s):
+  /// LastChange::never if from the start.
+  double
+  full_loads_from(const TimeParameters &time);
 
 
   /**

@@ -6,6 +6,7 @@
 #include <waker/grid/box_face.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -127,6 +128,15 @@ namespace Waker
     /// Spring stiffness of a node, as a multiple of (K + 4G/3) h^(dim-2)
     /// (kPa m^(dim-2)).
     double penalty_factor = 1e4;
+
+    /// Of each component: the expression that prescribes its displacement;
+    /// none if it is free. Of `displacement`, whatever the type.
+    std::vector<std::optional<std::string>>
+    expressions() const;
+
+    /// Is this component of its nodes held?
+    bool
+    holds(const unsigned int component) const;
 
     void
     add_parameters(ParameterHandler &prm);

@@ -23,7 +23,7 @@ namespace Waker
 
   private:
     const Case<dim> *the_case;
-    bool             stretches, rides;
+    bool             rides;
   };
 } // namespace Waker
 

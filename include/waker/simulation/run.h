@@ -4,9 +4,9 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <waker/base/interrupt.h>
 #include <waker/output/output_folder.h>
 
-#include <csignal>
 #include <functional>
 #include <string>
 #include <vector>
@@ -28,12 +28,11 @@ namespace Waker
 
   struct RunOptions
   {
-    bool validate_only = false; // check everything, write nothing
-    bool resume        = false; // go on from the last checkpoint
-    bool overwrite     = false; // of results of an earlier run
-    bool quiet         = false; // say nothing on the screen
-    /// Not 0: end cleanly with a checkpoint. May be null.
-    const volatile std::sig_atomic_t *interrupt = nullptr;
+    bool      validate_only = false; // check everything, write nothing
+    bool      resume        = false; // go on from the last checkpoint
+    bool      overwrite     = false; // of results of an earlier run
+    bool      quiet         = false; // say nothing on the screen
+    Interrupt interrupt;             // ends it cleanly with a checkpoint
     /// Called when the set-up, which may take minutes, is over, before the
     /// first thing is written: until then a program may end at any moment and
     /// leaves nothing behind. May be empty.

@@ -2,6 +2,7 @@
 #ifndef waker_simulation_run_to_end_h
 #define waker_simulation_run_to_end_h
 
+#include <waker/base/interrupt.h>
 #include <waker/simulation/realisation.h>
 
 namespace Waker
@@ -12,14 +13,12 @@ namespace Waker
   public:
     virtual ~Watcher() = default;
 
-    /// The realisation has looked at a moment, and stops for this reason, if
-    /// any.
-    /// @return shall it go on?
-    virtual bool
-    looked(const StopReason)
-    {
-      return true;
-    }
+    /// The realisation has looked at a moment.
+    /// @param stop why it stops here; StopReason::none: it does not
+    /// @param last is there no step after it, as it stops or is interrupted?
+    virtual void
+    looked(const StopReason /*stop*/, const bool /*last*/)
+    {}
 
     /// It has made a step, at the end of which it has not looked yet.
     virtual void
@@ -29,20 +28,25 @@ namespace Waker
 
 
   /**
-   * Turn the handle until the realisation stops: the one loop over a run.
+   * Turn the handle until the realisation stops, or is interrupted: the one
+   * loop over a run.
    *
-   * @return why it has stopped; StopReason::none if the watcher has left it
+   * @return why it has stopped; StopReason::none if it was interrupted
    * @throws NumericalFailure; the state is then the last good one, but for a
    *   step of which the numbers are none: State::points holds them
    */
   template <int dim>
   StopReason
-  run_to_end(Realisation<dim> &realisation, Watcher &watcher)
+  run_to_end(Realisation<dim> &realisation,
+             Watcher          &watcher,
+             const Interrupt  &interrupt = {})
   {
     while (true)
       {
         const StopReason stop = realisation.look();
-        if (!watcher.looked(stop) || stop != StopReason::none)
+        const bool last = stop != StopReason::none || interrupt.has_come();
+        watcher.looked(stop, last);
+        if (last)
           return stop;
         realisation.advance();
         watcher.advanced();

@@ -6,6 +6,7 @@
 #include <waker/simulation/factor_search.h>
 
 #include <map>
+#include <optional>
 #include <string>
 
 namespace Waker
@@ -13,17 +14,17 @@ namespace Waker
   /// The realisation at one factor of a strength reduction.
   struct Trial
   {
-    TrialResult  result = TrialResult::undecided;
-    double       time   = 0.; // of failure, or of the end, s
-    std::string  outcome;     // of the realisation
-    std::string  reading;     // that has seen the failure; empty: none
-    std::string  slope;       // that slid; empty: not known
-    unsigned int attempts = 1;
+    TrialResult result  = TrialResult::undecided;
+    double      time    = 0.; // of failure, or of the end, s
+    Outcome     outcome = Outcome::numerical_failure; // of the realisation
+    std::optional<FailureReading> reading; // that has seen the failure
+    Slopes                        slope    = Slopes::none; // none: not known
+    unsigned int                  attempts = 1;
 
     bool
     failed_numerically() const
     {
-      return outcome == to_string(Outcome::numerical_failure);
+      return outcome == Outcome::numerical_failure;
     }
   };
 

@@ -37,7 +37,7 @@ namespace Waker
    * @param notes gets in words what is missing, or what has been assumed
    */
   std::optional<Yearly>
-  yearly(const std::string                      &swept_parameter,
+  yearly(const bool                              sweeps_water_level,
          const std::vector<FragilityPoint>      &points,
          const std::optional<LevelDistribution> &distribution,
          const RiskParameters                   &parameters,

@@ -2,8 +2,9 @@
 #ifndef waker_store_campaign_info_h
 #define waker_store_campaign_info_h
 
+#include <waker/base/numbers.h>
+
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -14,10 +15,10 @@ namespace Waker
   {
     std::string value; // as the user wrote it; empty without a sweep
     /// At which W is measured, m; NaN: there is none.
-    double water_level = std::numeric_limits<double>::quiet_NaN();
+    double water_level = nan;
     /// Highest and lowest corner of the drawn profile, m; NaN: not known.
-    double              crest_level = std::numeric_limits<double>::quiet_NaN();
-    double              base_level  = std::numeric_limits<double>::quiet_NaN();
+    double              crest_level = nan;
+    double              base_level  = nan;
     std::vector<double> scales; // of fluctuation of the first field, m
     std::string         hash;   // of all that decides its realisations
   };
@@ -40,6 +41,14 @@ namespace Waker
     std::string               swept_parameter;  // "Water/Level", or empty
     std::vector<ScenarioInfo> scenarios;        // at least one
     std::string               parameters;       // the whole .prm
+
+    /// Do the scenarios differ in the water level? Only then is there a
+    /// fragility curve.
+    bool
+    sweeps_water_level() const
+    {
+      return swept_parameter == "Water/Level";
+    }
 
     void
     write(const std::string &path) const;

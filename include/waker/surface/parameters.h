@@ -51,6 +51,14 @@ namespace Waker
     /// Fill gaps in both directions alike, instead of from the left only.
     bool symmetric_filling = false;
 
+    /// Is the body's surface that of a section: in 2D, and of a body that is
+    /// prismatic?
+    bool
+    is_of_section(const unsigned int dim) const
+    {
+      return dim == 2 || prismatic;
+    }
+
     void
     add_parameters(ParameterHandler &prm);
   };

@@ -56,19 +56,18 @@ namespace Waker
     void
     reset(const MaterialPoints<dim> &points);
 
-    /// Is the surface one in space, with facets that are more than chains?
-    bool
-    is_spatial() const
+    /// The section of the surface that Surface/Method asks for, on which a dyke
+    /// is measured: the chains' segments, outer chains in the order of
+    /// decreasing area, then holes. In 3D that of the body's projection on the
+    /// x-y plane.
+    const Facets<2> &
+    section() const
     {
-      return dim == 3 && !parameters.prismatic;
+      return section(found_by(parameters.method));
     }
 
-    /// The chains of the surface that Surface/Method asks for, for water and
-    /// observers; in 3D of the body's projection on the x-y plane.
-    const Surface &
-    chains() const;
-
-    /// The facets of the same surface.
+    /// The surface itself. In 2D it is the section; that of a prismatic body is
+    /// its section, extruded over the grid's box.
     const Facets<dim> &
     facets() const
     {
@@ -88,14 +87,15 @@ namespace Waker
     proximity_field() const;
 
   private:
+    template <int facet_dim>
     struct Found
     {
-      bool        is_valid = false;
-      Facets<dim> facets;
+      bool              is_valid = false;
+      Facets<facet_dim> facets;
     };
 
-    const Surface &
-    chains(const FoundSurface which) const;
+    const Facets<2> &
+    section(const FoundSurface which) const;
 
     BackgroundGrid<dim> const *grid;
     SurfaceParameters          parameters;
@@ -107,11 +107,11 @@ namespace Waker
     mutable DomainContour<dim>  contour;
     mutable CellSurface<dim>    cells;
     mutable Holes               holes;
-    // proximity field, contour
-    mutable bool                          has_chains[2] = {false, false};
-    mutable Surface                       found_chains[2];
-    mutable std::map<FoundSurface, Found> found; // those asked for so far
-    mutable bool                          has_field = false;
+    mutable Surface             chains;
+    mutable bool                has_field = false;
+    // Those asked for so far.
+    mutable std::map<FoundSurface, Found<2>>   sections;
+    mutable std::map<FoundSurface, Found<dim>> surfaces;
   };
 } // namespace Waker
 

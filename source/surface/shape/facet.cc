@@ -63,6 +63,7 @@ namespace Waker
   to_facets(const Surface &surface, Facets<2> &facets)
   {
     facets.clear();
+    int number = 0;
     for (const SurfaceChain &chain : surface.chains)
       {
         const std::size_t n       = chain.vertices.size();
@@ -73,8 +74,36 @@ namespace Waker
               make_facet<2>({{chain.vertices[k], chain.vertices[(k + 1) % n]}},
                             chain.on_face[k]));
             facets.back().in_hole = in_hole;
+            facets.back().chain   = number;
+          }
+        ++number;
+      }
+  }
+
+
+  Facets<3>
+  extrude(const Facets<2> &section, const double back, const double front)
+  {
+    Facets<3> facets;
+    for (const Facet<2> &segment : section)
+      {
+        // The body is on the left seen from the front.
+        const Point<2> &a    = segment.vertices[0];
+        const Point<2> &b    = segment.vertices[1];
+        const Point<3>  x[4] = {Point<3>(a[0], a[1], back),
+                                Point<3>(b[0], b[1], back),
+                                Point<3>(b[0], b[1], front),
+                                Point<3>(a[0], a[1], front)};
+        for (const auto &vertices :
+             {std::array<Point<3>, 3>{{x[0], x[2], x[1]}},
+              {{x[0], x[3], x[2]}}})
+          {
+            facets.push_back(make_facet<3>(vertices, segment.on_face));
+            facets.back().in_hole = segment.in_hole;
+            facets.back().chain   = segment.chain;
           }
       }
+    return facets;
   }
 
 

@@ -29,6 +29,9 @@ namespace Waker
     int on_face = -1;
     /// Does it bound a hole that lies inside a body?
     bool in_hole = false;
+    /// Number of the chain that it is a segment of, or that it was extruded
+    /// from; -1: it is of none.
+    int chain = -1;
 
     /// Length (m) or area (m^2).
     double
@@ -46,13 +49,19 @@ namespace Waker
   template <int dim>
   using Facets = std::vector<Facet<dim>>;
 
-  /// The segments of all chains, in their order.
+  /// The segments of all chains, in their order: each begins where the one
+  /// before ends.
   Facets<2>
   to_facets(const Surface &surface);
 
   /// The same in `facets`, which is overwritten, its storage used again.
   void
   to_facets(const Surface &surface, Facets<2> &facets);
+
+  /// The sides of a body that has this section from `back` to `front` along z
+  /// (m), without its ends: two triangles a segment, in their order.
+  Facets<3>
+  extrude(const Facets<2> &section, const double back, const double front);
 
   /// Volume (m^dim) that closed facets enclose: the divergence theorem.
   template <int dim>

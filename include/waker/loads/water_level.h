@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_loads_water_level_h
+#define waker_loads_water_level_h
+
+#include <waker/base/last_change.h>
+#include <waker/base/time_function.h>
+#include <waker/loads/parameters.h>
+
+namespace Waker
+{
+  /// The level of the water in time: Water/Level + Water/Rise. Where no water
+  /// stands, nothing changes.
+  class WaterLevel
+  {
+  public:
+    explicit WaterLevel(const WaterParameters &parameters)
+      : stands(parameters.stands())
+      , datum(parameters.level)
+      , rise(parameters.rise, "Water/Rise")
+    {}
+
+    /// At time t (s), in m.
+    double
+    at(const double t) const
+    {
+      return datum + rise.value(t);
+    }
+
+    /// Does it depend on the time?
+    bool
+    moves() const
+    {
+      return stands && rise.moves();
+    }
+
+    /// The last time at which it changes (s): see LastChange.
+    double
+    last_change() const
+    {
+      return stands ? rise.last_change() : LastChange::never;
+    }
+
+    /// Does it change between two times?
+    bool
+    varies(const double from, const double to) const
+    {
+      return stands && rise.varies(from, to);
+    }
+
+  private:
+    bool         stands;
+    double       datum; // m
+    TimeFunction rise;
+  };
+} // namespace Waker
+
+#endif
