@@ -89,8 +89,8 @@ namespace Waker
     for (const Facet<2> &segment : wetted)
       {
         // The pressure is linear from p0 to p1.
-        const Point<2>    &from   = segment.vertices[0];
-        const Point<2>    &to     = segment.vertices[1];
+        const Point<2>     from   = segment.vertices[0];
+        const Point<2>     to     = segment.vertices[1];
         const Tensor<1, 2> along  = to - from;
         const double       length = along.norm();
         const double       p0     = liquid.pressure(from[1]);
