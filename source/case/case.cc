@@ -64,7 +64,7 @@ namespace Waker
     , materials(given_materials.empty() ? make_materials(p)
                                         : std::move(given_materials))
     , flow(grid, materials, p)
-    , fixities(grid, flow.conditions())
+    , fixities(grid, flow.conditions(), flow.outflow())
     , depths(grid, p.layers)
     , full_node_mass(largest_density(materials) *
                      std::pow(p.grid.cell_size, dim))

@@ -296,6 +296,8 @@ namespace Waker
                         ", but there are walls off the grid",
                       "Newmark or quasi-static");
     outflow.open_faces(dimension);
+    for (const OutletParameters &outlet : outlets)
+      outlet.check(dimension);
     for (const InflowParameters &inflow : inflows)
       inflow.check(dimension);
 
