@@ -175,6 +175,8 @@ namespace Waker
     scene.walls.reinit(scene.nodes.mass, 0., initial_wall_tractions);
     if (parameters.gravity.initial_stress)
       {
+        const NodalVector full = scene.nodes.external_force;
+        scene.nodes.external_force *= parameters.gravity.initial_share;
         gravity_report = gravity_step(materials,
                                       scene.weights,
                                       fixities,
@@ -195,6 +197,7 @@ namespace Waker
                     << parameters.gravity.tolerance;
             throw NumericalFailure(message.str());
           }
+        scene.nodes.external_force = full; // the rest acts from now on
       }
     else
       scene.set_internal_force(points);

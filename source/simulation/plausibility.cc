@@ -90,6 +90,10 @@ namespace Waker
                     "Water/Unit weight",
                     "Side = none",
                     warnings);
+      warn_unused(!p.gravity.initial_stress && p.gravity.initial_share != 1.,
+                  "Gravity/Initial share",
+                  "Initial stress = false",
+                  warnings);
       const TimeParameters usual;
       warn_unused(scheme_traits(p.time).is_implicit &&
                     p.time.courant_number != usual.courant_number,
