@@ -348,6 +348,18 @@ namespace Waker
         warnings.push_back(text.str());
       }
 
+    for (const BodyGap &gap :
+         body_gaps(the_case.depths.bodies(), 0.5 * p.grid.cell_size))
+      {
+        std::ostringstream text;
+        text << "Soil profile: between " << p.layers[gap.lower].name << " and "
+             << p.layers[gap.upper].name << " above it there is a gap of up to "
+             << gap.height << " m over " << gap.area << " m^2, around ("
+             << gap.middle[0] << ", " << gap.middle[1] << ", " << gap.middle[2]
+             << ") m; layers usually touch";
+        warnings.push_back(text.str());
+      }
+
     const MixedCells &mixed = the_case.gravity_report.mixed_cells;
     if (mixed.ratio >= smallest_ratio)
       {
