@@ -257,14 +257,15 @@ namespace Waker
           if (!a.is_prism() || !b.is_prism())
             {
               const double common = common_volume(a, b);
-              if (common > 1e-9 * std::min(a.volume(), b.volume()))
-                throw UserError(a.path + (a.bottom != nullptr ? "/Bottom"
-                                          : a.top != nullptr  ? "/Top"
-                                                              : "/Polygon"),
-                                "overlaps \"" + b.path + "\" over " +
-                                  in_digits(common) + " m^3",
-                                "layers that touch at most");
-              continue;
+              if (common <= 1e-9 * std::min(a.volume(), b.volume()))
+                continue;
+              std::ostringstream what; // an integral: not to the last digit
+              what << "overlaps \"" << b.path << "\" over " << common << " m^3";
+              throw UserError(a.path + (a.bottom != nullptr ? "/Bottom"
+                                        : a.top != nullptr  ? "/Top"
+                                                            : "/Polygon"),
+                              what.str(),
+                              "layers that touch at most");
             }
           const double depth =
             std::min(a.end, b.end) - std::max(a.begin, b.begin);

@@ -181,6 +181,37 @@ namespace Waker
                            ranges);
         }
     }
+
+
+    /// A polygon that cuts off what a height map has beyond it.
+    void
+    check_maps(const LayerParameters    &layer,
+               const LayerBody          &body,
+               std::vector<std::string> &warnings)
+    {
+      double low = body.corners[0][1], high = low;
+      for (const auto &corner : body.corners)
+        {
+          low  = std::min(low, corner[1]);
+          high = std::max(high, corner[1]);
+        }
+      const double       round_off = 1e-6 * (high - low);
+      std::ostringstream text;
+      text << "Soil profile/" << layer.name << "/";
+      if (body.top != nullptr && body.top->range()[1] > high + round_off)
+        text << "Top rises to " << body.top->range()[1]
+             << " m, but Polygon ends at " << high;
+      else if (body.bottom != nullptr &&
+               body.bottom->range()[0] < low - round_off)
+        text << "Bottom falls to " << body.bottom->range()[0]
+             << " m, but Polygon begins at " << low;
+      else
+        return;
+      text << " m: the layer is cut there";
+      warnings.push_back(text.str());
+    }
+
+
     constexpr double usual_traction = 1000.; // kPa
     constexpr double usual_weights  = 5.;    // of all soil
 
@@ -348,6 +379,8 @@ namespace Waker
         warnings.push_back(text.str());
       }
 
+    for (std::size_t l = 0; l < p.layers.size(); ++l)
+      check_maps(p.layers[l], the_case.depths.bodies()[l], warnings);
     for (const BodyGap &gap :
          body_gaps(the_case.depths.bodies(), 0.5 * p.grid.cell_size))
       {
