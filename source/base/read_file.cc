@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
 #include <waker/base/read_file.h>
+#include <waker/base/text.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -166,6 +167,31 @@ namespace Waker
   read_input_file(const std::string &path)
   {
     return read_file(path, largest_input);
+  }
+
+
+  std::string
+  read_named_file(const std::string &file,
+                  const std::string &path,
+                  const std::string &holds)
+  {
+    if (file.empty())
+      throw UserError(path, "is empty", "the file with " + holds);
+    try
+      {
+        const std::string text = read_input_file(file);
+        if (text.empty())
+          throw UserError(file, "holds nothing", "a file that holds one");
+        return without_byte_order_mark(text);
+      }
+    catch (const UserError &error)
+      {
+        throw UserError(path,
+                        "\"" + file + "\" " + error.problem,
+                        error.allowed +
+                          "; names are relative to the folder in which waker "
+                          "is started");
+      }
   }
 
 

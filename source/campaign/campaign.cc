@@ -14,6 +14,7 @@
 #include <waker/output/files.h>
 #include <waker/output/output_folder.h>
 #include <waker/output/summary.h>
+#include <waker/particles/layer.h>
 #include <waker/simulation/describe.h>
 #include <waker/statistics/report.h>
 #include <waker/store/campaign_files.h>
@@ -52,11 +53,14 @@ namespace Waker
           scenario.water_level = input.simulation.water.level;
         // fmax, fmin: NaN is no number to compare with.
         for (const LayerParameters &layer : input.simulation.layers)
-          for (const auto &corner : layer.corners())
-            {
-              scenario.crest_level = std::fmax(scenario.crest_level, corner[1]);
-              scenario.base_level  = std::fmin(scenario.base_level, corner[1]);
-            }
+          {
+            const auto [base, crest] =
+              level_range(layer,
+                          input.simulation.grid.lower_corner.back(),
+                          input.simulation.grid.upper_corner.back());
+            scenario.crest_level = std::fmax(scenario.crest_level, crest);
+            scenario.base_level  = std::fmin(scenario.base_level, base);
+          }
         if (!input.reliability.fields.fields.empty())
           scenario.scales = input.reliability.fields.fields[0].scales;
         info.scenarios.push_back(scenario);

@@ -65,7 +65,7 @@ namespace Waker
     , materials(given_materials.empty() ? make_materials(p)
                                         : std::move(given_materials))
     , flow(grid, materials, p)
-    , fixities(grid, flow.conditions())
+    , fixities(grid, flow.conditions(), flow.outflow())
     , depths(grid, p.layers)
     , full_node_mass(largest_density(materials) *
                      std::pow(p.grid.cell_size, dim))
@@ -174,6 +174,8 @@ namespace Waker
     scene.walls.reinit(scene.nodes.mass, 0., initial_wall_tractions);
     if (parameters.gravity.initial_stress)
       {
+        const NodalVector full = scene.nodes.external_force;
+        scene.nodes.external_force *= parameters.gravity.initial_share;
         gravity_report = gravity_step(materials,
                                       scene.weights,
                                       fixities,
@@ -194,6 +196,7 @@ namespace Waker
                     << parameters.gravity.tolerance;
             throw NumericalFailure(message.str());
           }
+        scene.nodes.external_force = full; // the rest acts from now on
       }
     else
       scene.set_internal_force(points);

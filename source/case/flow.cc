@@ -4,11 +4,9 @@
 #include <waker/base/text.h>
 #include <waker/case/flow.h>
 #include <waker/case/state.h>
-#include <waker/particles/polygon.h>
 #include <waker/particles/removal.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace Waker
 {
@@ -21,31 +19,27 @@ namespace Waker
     }
 
 
-    /// Do its nodes fill more than an edge of the opening? On `face`.
+    /// Do its nodes fill more than an edge of the opening?
     template <int dim>
     bool
     overlaps(const FixityParameters &condition,
-             const unsigned int      face,
-             const Point<dim>       &lower,
-             const Point<dim>       &upper,
+             const Opening<dim>     &opening,
              const double            h)
     {
-      if (condition.region != FixityRegion::box &&
-          condition.region != region_of(face))
+      const bool is_box = condition.region == FixityRegion::box;
+      if (!is_box && condition.region != region_of(opening.face))
         return false;
       for (unsigned int d = 0; d < dim; ++d)
         {
-          const double from =
-            condition.from.empty() ? lower[d] : condition.from[d];
-          const double to = condition.to.empty() ? upper[d] : condition.to[d];
-          if (d == face / 2)
+          const double low = opening.lower[d], high = opening.upper[d];
+          const double from = condition.from.empty() ? low : condition.from[d];
+          const double to   = condition.to.empty() ? high : condition.to[d];
+          if (d == opening.face / 2)
             {
-              if (condition.region == FixityRegion::box &&
-                  (from > lower[d] || to < lower[d]))
+              if (is_box && (from > low || to < low))
                 return false;
             }
-          else if (!(std::min(to, upper[d]) - std::max(from, lower[d]) >
-                     1e-6 * h))
+          else if (!(std::min(to, high) - std::max(from, low) > 1e-6 * h))
             return false;
         }
       return true;
@@ -83,8 +77,8 @@ namespace Waker
           const double v = feeder.velocity()[d];
           condition.displacement +=
             (d > 0 ? "; " : "") + (v != 0. ? in_digits(v) + "*t" : "0");
-          condition.from.push_back(feeder.lower()[d]);
-          condition.to.push_back(feeder.upper()[d]);
+          condition.from.push_back(feeder.mouth().lower[d]);
+          condition.to.push_back(feeder.mouth().upper[d]);
         }
       return condition;
     }
@@ -99,93 +93,114 @@ namespace Waker
     , materials(&materials)
     , scheme(scheme_traits(parameters.time))
     , ramp_duration(parameters.time.ramp_duration)
-    , outflow_faces(parameters.outflow.open_faces(dim))
+    , outlets(grid)
+    , all_openings(grid)
     , all_conditions(parameters.fixities)
   {
-    has_outflow = std::find(outflow_faces.begin(), outflow_faces.end(), true) !=
-                  outflow_faces.end();
-    const auto is_whole_and_held = [&](const FixityParameters &condition,
-                                       const unsigned int      f) {
-      return condition.region == region_of(f) && condition.from.empty() &&
-             condition.to.empty() && condition.holds(f / 2);
-    };
+    const std::vector<bool> faces = parameters.outflow.open_faces(dim);
     for (unsigned int f = 0; f < 2 * dim; ++f)
-      for (const FixityParameters &condition : parameters.fixities)
-        if (outflow_faces[f] && is_whole_and_held(condition, f))
-          throw UserError("Outflow/Faces",
-                          std::string(name_of(static_cast<BoxFace>(f))) +
-                            " is closed by Boundary conditions/" +
-                            condition.name,
-                          "faces that no boundary condition closes");
-
-    for (const InflowParameters &inflow : parameters.inflows)
+      if (faces[f])
+        {
+          OpeningParameters whole;
+          whole.face = static_cast<BoxFace>(f);
+          add_outlet(whole, "Outflow", "Outflow/Faces");
+        }
+    for (const OutletParameters &outlet : parameters.outlets)
       {
-        const std::string  path = "Inflow/" + inflow.name + "/Face";
-        const unsigned int face = inflow.face_number();
-        const unsigned int m    = material_number(inflow, parameters.materials);
-        if (outflow_faces[face])
-          throw UserError(path,
-                          "is " + std::string(name_of(inflow.face)) +
-                            ", which is in Outflow/Faces",
-                          "another face");
-        require_implicit(parameters.time, "there is an inflow");
-        typename Feeder<dim>::Variables variables;
-        for (const MaterialVariable &variable : materials[m]->variables())
-          {
-            const InitialValue &value = variable.initial_value;
-            if (value.varies())
-              throw UserError("Inflow/" + inflow.name + "/Material",
-                              "is " + inflow.material + ", of which " +
-                                value.path + " varies in space",
-                              "a material with numbers: what flows in is the "
-                              "same everywhere");
-            variables.emplace_back(variable.name, value.number);
-          }
-        feeders.emplace_back(grid,
-                             inflow,
-                             parameters.points.points_per_direction,
-                             m,
-                             materials[m]->density(),
-                             variables);
-        const Feeder<dim> &feeder = feeders.back();
-        if (!(inflow.velocity * parameters.time.time_step <=
-              grid.cell_size() * (1. + 1e-9)))
-          throw UserError("Inflow/" + inflow.name + "/Velocity",
-                          "is " + in_digits(inflow.velocity) +
-                            " m/s: more than a cell in a time step of " +
-                            in_digits(parameters.time.time_step) + " s",
-                          "at most " +
-                            in_digits(grid.cell_size() /
-                                      parameters.time.time_step) +
-                            " m/s, or a shorter time step");
-        for (const FixityParameters &condition : all_conditions)
-          if (overlaps<dim>(condition,
-                            face,
-                            feeder.lower(),
-                            feeder.upper(),
-                            grid.cell_size()) &&
-              condition.holds(face / 2))
-            throw UserError(path,
-                            "the opening on " +
-                              std::string(name_of(inflow.face)) +
-                              " is held by Boundary conditions/" +
-                              condition.name,
-                            "an opening that no boundary condition and no "
-                            "other inflow holds");
-        all_conditions.push_back(pushing(inflow, feeder));
-        inflow_faces.push_back(face);
+        const std::string path = "Outflow/" + outlet.name;
+        add_outlet(outlet, path, path + "/Face");
       }
+    for (const InflowParameters &inflow : parameters.inflows)
+      add_inflow(inflow, parameters);
   }
 
 
   template <int dim>
-  std::vector<bool>
-  Flow<dim>::open_faces() const
+  const FixityParameters *
+  Flow<dim>::holder_of(const Opening<dim> &opening) const
   {
-    std::vector<bool> faces = outflow_faces;
-    for (const unsigned int face : inflow_faces)
-      faces[face] = true;
-    return faces;
+    for (const FixityParameters &condition : all_conditions)
+      if (overlaps(condition, opening, grid->cell_size()) &&
+          condition.holds(opening.face / 2))
+        return &condition;
+    return nullptr;
+  }
+
+
+  template <int dim>
+  void
+  Flow<dim>::add_outlet(const OpeningParameters &parameters,
+                        const std::string       &path,
+                        const std::string       &where)
+  {
+    const Opening<dim> opening = place_opening(*grid, parameters, path);
+    if (const FixityParameters *const holder = holder_of(opening))
+      throw UserError(where,
+                      std::string(name_of(parameters.face)) +
+                        " is closed there, or in a part, by Boundary "
+                        "conditions/" +
+                        holder->name,
+                      "parts of faces (Outflow/Names) that no boundary "
+                      "condition closes");
+    outlets.add(opening);
+    all_openings.add(opening);
+  }
+
+
+  template <int dim>
+  void
+  Flow<dim>::add_inflow(const InflowParameters &inflow,
+                        const Parameters       &parameters)
+  {
+    const std::string  path = "Inflow/" + inflow.name + "/Face";
+    const unsigned int m    = material_number(inflow, parameters.materials);
+    if (!scheme.is_implicit)
+      throw UserError("Time stepping/Scheme",
+                      std::string("is ") + name_of(parameters.time.scheme) +
+                        ", but there is an inflow",
+                      "Newmark or quasi-static");
+    typename Feeder<dim>::Variables variables;
+    for (const MaterialVariable &variable : (*materials)[m]->variables())
+      {
+        const InitialValue &value = variable.initial_value;
+        if (value.varies())
+          throw UserError("Inflow/" + inflow.name + "/Material",
+                          "is " + inflow.material + ", of which " + value.path +
+                            " varies in space",
+                          "a material with numbers: what flows in is the "
+                          "same everywhere");
+        variables.emplace_back(variable.name, value.number);
+      }
+    feeders.emplace_back(*grid,
+                         inflow,
+                         parameters.points.points_per_direction,
+                         m,
+                         (*materials)[m]->density(),
+                         variables);
+    const Feeder<dim> &feeder = feeders.back();
+    if (outlets.meets(feeder.mouth()))
+      throw UserError(path,
+                      "is " + std::string(name_of(inflow.face)) +
+                        ", where soil leaves (Outflow)",
+                      "another face, or another part of it");
+    if (!(inflow.velocity * parameters.time.time_step <=
+          grid->cell_size() * (1. + 1e-9)))
+      throw UserError("Inflow/" + inflow.name + "/Velocity",
+                      "is " + in_digits(inflow.velocity) +
+                        " m/s: more than a cell in a time step of " +
+                        in_digits(parameters.time.time_step) + " s",
+                      "at most " +
+                        in_digits(grid->cell_size() /
+                                  parameters.time.time_step) +
+                        " m/s, or a shorter time step");
+    if (const FixityParameters *const holder = holder_of(feeder.mouth()))
+      throw UserError(path,
+                      "the opening on " + std::string(name_of(inflow.face)) +
+                        " is held by Boundary conditions/" + holder->name,
+                      "an opening that no boundary condition and no other "
+                      "inflow holds");
+    all_conditions.push_back(pushing(inflow, feeder));
+    all_openings.add(feeder.mouth());
   }
 
 
@@ -250,7 +265,7 @@ namespace Waker
       scheme.is_implicit ? 0.5 * dt * (account.force + now) : dt * now;
     account.force = now;
 
-    if (has_outflow)
+    if (!outlets.empty())
       remove(state);
     for (std::size_t k = 0; k < feeders.size(); ++k)
       {
@@ -279,8 +294,7 @@ namespace Waker
   Flow<dim>::remove(State<dim> &state) const
   {
     MaterialPoints<dim>           &points = state.points;
-    const std::vector<std::size_t> list =
-      points_beyond(*grid, outflow_faces, points);
+    const std::vector<std::size_t> list   = points_beyond(outlets, points);
     if (list.empty())
       return;
     // Only what the sums below ask for.

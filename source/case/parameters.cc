@@ -9,6 +9,7 @@
 #include <waker/case/parameters.h>
 #include <waker/loads/water_level.h>
 #include <waker/mechanics/time_scheme.h>
+#include <waker/particles/layer.h>
 
 #include <algorithm>
 #include <limits>
@@ -92,6 +93,10 @@ namespace Waker
                               number(layer.extent[1]) + " m",
                             "the smaller number first");
         }
+      if (dim == 2 && !(layer.top.empty() && layer.bottom.empty()))
+        throw UserError(path + (layer.top.empty() ? "Bottom" : "Top"),
+                        "is given in two dimensions",
+                        "only with Dimension = 3");
       layer.velocity_components(dim);
       layer.stress_components(dim);
       layer.corners();
@@ -100,7 +105,8 @@ namespace Waker
 
     void
     check_water(const WaterParameters              &water,
-                const std::vector<LayerParameters> &layers)
+                const std::vector<LayerParameters> &layers,
+                const GridParameters               &grid)
     {
       water.check();
       if (!water.stands())
@@ -108,11 +114,13 @@ namespace Waker
       double crest = std::numeric_limits<double>::lowest();
       double base  = std::numeric_limits<double>::max();
       for (const LayerParameters &layer : layers)
-        for (const std::array<double, 2> &corner : layer.corners())
-          {
-            crest = std::max(crest, corner[1]);
-            base  = std::min(base, corner[1]);
-          }
+        {
+          const auto [lowest, highest] = level_range(layer,
+                                                     grid.lower_corner.back(),
+                                                     grid.upper_corner.back());
+          crest                        = std::max(crest, highest);
+          base                         = std::min(base, lowest);
+        }
       // It would load nothing, and the soil would have no width there.
       if (water.level < base)
         throw UserError("Water/Level",
@@ -282,7 +290,7 @@ namespace Waker
                       "no boundary condition carries the soil, so the static "
                       "step for the initial stress has no solution",
                       "at least one, or Gravity/Initial stress = false");
-    check_water(water, layers);
+    check_water(water, layers, grid);
     for (const TractionParameters &traction : tractions)
       traction.check(dimension, mapping.functions);
     for (const PointLoadParameters &load : point_loads)
@@ -292,6 +300,8 @@ namespace Waker
     if (!walls.empty())
       require_implicit(time, "there are walls off the grid");
     outflow.open_faces(dimension);
+    for (const OutletParameters &outlet : outlets)
+      outlet.check(dimension);
     for (const InflowParameters &inflow : inflows)
       inflow.check(dimension);
 

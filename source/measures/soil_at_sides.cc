@@ -2,6 +2,7 @@
 #include <waker/grid/background_grid.h>
 #include <waker/measures/soil_at_sides.h>
 #include <waker/particles/material_points.h>
+#include <waker/particles/openings.h>
 
 #include <cmath>
 
@@ -10,7 +11,8 @@ namespace Waker
   template <int dim>
   SoilAtSides<dim>
   soil_at_sides(const BackgroundGrid<dim> &grid,
-                const MaterialPoints<dim> &points)
+                const MaterialPoints<dim> &points,
+                const Openings<dim>       &openings)
   {
     const double     h = grid.cell_size();
     SoilAtSides<dim> result;
@@ -31,7 +33,8 @@ namespace Waker
               face = 2 * d;
             else if (x > last && x0 <= last)
               face = 2 * d + 1;
-            if (face >= 0 && std::abs(x - x0) > 0.5 * h)
+            if (face >= 0 && std::abs(x - x0) > 0.5 * h &&
+                !openings.is_open(face, points.position[p]))
               {
                 ++result.n_points[face];
                 result.volume[face] += points.volume[p];
@@ -49,27 +52,29 @@ namespace Waker
   bool
   soil_lies_against_side(const BackgroundGrid<dim> &grid,
                          const MaterialPoints<dim> &points,
-                         const std::vector<bool>   &open_faces)
+                         const Openings<dim>       &openings)
   {
-    AssertDimension(open_faces.size(), 2 * dim);
     // A little less than half a cell: volumes change under pressure.
     const double           limit = 0.45 * std::pow(grid.cell_size(), dim);
-    const SoilAtSides<dim> soil  = soil_at_sides(grid, points);
-    return (!open_faces[0] && soil.volume[0] > limit) ||
-           (!open_faces[1] && soil.volume[1] > limit);
+    const SoilAtSides<dim> soil  = soil_at_sides(grid, points, openings);
+    return soil.volume[0] > limit || soil.volume[1] > limit;
   }
 
 
   template SoilAtSides<2>
-  soil_at_sides(const BackgroundGrid<2> &, const MaterialPoints<2> &);
+  soil_at_sides(const BackgroundGrid<2> &,
+                const MaterialPoints<2> &,
+                const Openings<2> &);
   template SoilAtSides<3>
-  soil_at_sides(const BackgroundGrid<3> &, const MaterialPoints<3> &);
+  soil_at_sides(const BackgroundGrid<3> &,
+                const MaterialPoints<3> &,
+                const Openings<3> &);
   template bool
   soil_lies_against_side(const BackgroundGrid<2> &,
                          const MaterialPoints<2> &,
-                         const std::vector<bool> &);
+                         const Openings<2> &);
   template bool
   soil_lies_against_side(const BackgroundGrid<3> &,
                          const MaterialPoints<3> &,
-                         const std::vector<bool> &);
+                         const Openings<3> &);
 } // namespace Waker

@@ -168,6 +168,13 @@ namespace Waker
                       "Relative residual (-) of that static step; above 0, "
                       "below 1.",
                       Patterns::Double(0., 1.));
+    prm.add_parameter("Initial share",
+                      initial_share,
+                      "Share (-) of weight, water and loads that this static "
+                      "step applies; above 0, at most 1. The rest acts from "
+                      "the start of the run, on points that move and yield: "
+                      "with Time stepping/Ramp duration = 0 at once.",
+                      Patterns::Double(0., 1.));
   }
 
 
@@ -182,6 +189,10 @@ namespace Waker
       throw UserError("Gravity/Tolerance",
                       "is " + in_digits(tolerance),
                       "above 0 and below 1");
+    if (!(initial_share > 0. && initial_share <= 1.))
+      throw UserError("Gravity/Initial share",
+                      "is " + in_digits(initial_share),
+                      "above 0 and at most 1 (or Initial stress = false)");
   }
 
 

@@ -159,7 +159,8 @@ namespace Waker
 
   template <int dim>
   Fixities<dim>::Fixities(const BackgroundGrid<dim>           &grid,
-                          const std::vector<FixityParameters> &parameters)
+                          const std::vector<FixityParameters> &parameters,
+                          const Openings<dim>                 &openings)
     : removed_dofs(grid.n_dofs(), 0)
     , motion(std::make_unique<Motion>())
   {
@@ -228,28 +229,41 @@ namespace Waker
         }
     moves = !motion->removed.empty() || !motion->penalised.empty();
 
-    closed_face_bits = (1u << (2 * dim)) - 1;
+    closed_face_bits   = (1u << (2 * dim)) - 1;
+    unsigned int holds = 0; // faces with a node at rest
     for (unsigned int node = 0; node < grid.n_nodes(); ++node)
       {
-        const auto   index  = grid.node_index(node);
-        const int    margin = grid.margin;
-        bool         on_box = true;
-        unsigned int faces  = 0; // that the node keeps open
+        const auto       index  = grid.node_index(node);
+        const Point<dim> x      = grid.node_position(node);
+        const int        margin = grid.margin;
+        bool             on_box = true;
+        unsigned int     opened = 0, closed = 0; // faces that the node is on
         for (unsigned int d = 0; d < dim; ++d)
           {
             const int upper = grid.n_nodes_per_direction()[d] - 1 - margin;
             on_box          = on_box && index[d] >= margin && index[d] <= upper;
             const unsigned int dof = dim * node + d;
-            if (removed_dofs[dof]
-                  ? eliminated_by[dof] == at_rest
-                  : penalty_factors[dof] > 0. && penalised_by[dof] == at_rest)
-              continue;
-            faces |= (index[d] == margin) << (2 * d) | (index[d] == upper)
-                                                         << (2 * d + 1);
+            const bool         is_at_rest =
+              removed_dofs[dof]
+                        ? eliminated_by[dof] == at_rest
+                        : penalty_factors[dof] > 0. && penalised_by[dof] == at_rest;
+            for (const bool is_upper : {false, true})
+              {
+                const unsigned int face = 2 * d + is_upper;
+                if (index[d] != (is_upper ? upper : margin))
+                  continue;
+                if (is_at_rest)
+                  closed |= 1u << face;
+                else if (!openings.is_open(face, x))
+                  opened |= 1u << face;
+              }
           }
-        if (on_box)
-          closed_face_bits &= ~faces;
+        if (!on_box)
+          continue;
+        closed_face_bits &= ~opened;
+        holds |= closed;
       }
+    closed_face_bits &= holds;
   }
 
 

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <waker/base/errors.h>
-#include <waker/base/numbers.h>
 #include <waker/particles/feeder.h>
-#include <waker/particles/polygon.h>
 
 #include <algorithm>
 #include <array>
@@ -31,40 +28,8 @@ namespace Waker
     , material(material)
     , density(density)
     , variables(variables)
-    , opening_lower(grid.lower_corner())
-    , opening_upper(grid.upper_corner())
+    , opening(place_opening(grid, parameters, "Inflow/" + parameters.name))
   {
-    const std::string path = "Inflow/" + parameters.name + "/";
-    for (unsigned int d = 0; d < dim; ++d)
-      if (d != direction)
-        for (const bool is_upper : {false, true})
-          {
-            const auto &limit = is_upper ? parameters.to : parameters.from;
-            Point<dim> &x     = is_upper ? opening_upper : opening_lower;
-            if (limit.empty())
-              continue;
-            const double cells =
-              (limit[d] - grid.lower_corner()[d]) * grid.inverse_cell_size();
-            if (std::abs(cells - std::round(cells)) > 1e-6 ||
-                limit[d] < grid.lower_corner()[d] - 1e-6 * h ||
-                limit[d] > grid.upper_corner()[d] + 1e-6 * h)
-              throw UserError(path + (is_upper ? "To" : "From"),
-                              "the opening ends at " + in_digits(limit[d]) +
-                                " m in direction " + std::string(1, "xyz"[d]),
-                              "lines of the grid, " +
-                                in_digits(grid.lower_corner()[d]) + " to " +
-                                in_digits(grid.upper_corner()[d]) +
-                                " m in steps of " + in_digits(h));
-            x[d] = grid.lower_corner()[d] + std::round(cells) * h;
-          }
-    for (unsigned int d = 0; d < dim; ++d)
-      if (d != direction && !(opening_lower[d] < opening_upper[d]))
-        throw UserError(path + "To",
-                        "the opening is empty in direction " +
-                          std::string(1, "xyz"[d]),
-                        "larger numbers than in From");
-    (inwards > 0. ? opening_upper : opening_lower)[direction] =
-      (inwards > 0. ? opening_lower : opening_upper)[direction];
     inward[direction] = inwards * parameters.velocity;
   }
 
@@ -110,7 +75,7 @@ namespace Waker
       {
         n[d] = d == direction
                  ? 1
-                 : std::lround((opening_upper[d] - opening_lower[d]) / size);
+                 : std::lround((opening.upper[d] - opening.lower[d]) / size);
         n_row *= n[d];
       }
 
@@ -133,8 +98,8 @@ namespace Waker
         for (unsigned int d = 0; d < dim; ++d)
           {
             x[d] = d == direction
-                     ? opening_lower[d] - inwards * (depth - 0.5 * size)
-                     : opening_lower[d] + (rest % n[d] + 0.5) * size;
+                     ? opening.lower[d] - inwards * (depth - 0.5 * size)
+                     : opening.lower[d] + (rest % n[d] + 0.5) * size;
             rest /= n[d];
           }
         points.id[p]       = next_id++;

@@ -31,7 +31,7 @@ namespace Waker
                       "Faces of the grid's box through which soil leaves: "
                       "left, right, bottom, top, back, front, separated by "
                       "commas. Points beyond them are removed and counted. "
-                      "Empty: none.",
+                      "Empty: none (but see Names).",
                       Patterns::Anything());
   }
 
@@ -56,17 +56,10 @@ namespace Waker
 
 
   void
-  InflowParameters::add_parameters(ParameterHandler &prm)
+  OpeningParameters::add_opening_parameters(ParameterHandler  &prm,
+                                            const std::string &purpose)
   {
-    add_choice(prm,
-               "Face",
-               face,
-               "Face of the grid's box through which soil enters, "
-               "pushed by its nodes and free of stress.");
-    prm.add_parameter("Material",
-                      material,
-                      "Material that enters: one of Materials/Names.",
-                      Patterns::Anything());
+    add_choice(prm, "Face", face, "Face of the grid's box " + purpose);
     prm.add_parameter("From",
                       from,
                       "The opening reaches from From to To (m), along the "
@@ -78,17 +71,14 @@ namespace Waker
                       to,
                       "Upper corner of the opening (m).",
                       Patterns::List(Patterns::Double(), 0, 3));
-    prm.add_parameter("Velocity",
-                      velocity,
-                      "Velocity of the soil into the box (m/s), above 0.",
-                      Patterns::Double(0.));
   }
 
 
   void
-  InflowParameters::check(const unsigned int dim) const
+  OpeningParameters::check_opening(const std::string &section,
+                                   const unsigned int dim) const
   {
-    const std::string path = "Inflow/" + name + "/";
+    const std::string path = section + "/" + name + "/";
     if (face_number() >= 2 * dim)
       throw UserError(path + "Face",
                       "there is no face \"" + std::string(name_of(face)) +
@@ -107,6 +97,46 @@ namespace Waker
                           "the opening is empty in direction " +
                             std::string(1, "xyz"[d]),
                           "larger numbers than in From");
-    require_positive(path + "Velocity", velocity, "m/s");
+  }
+
+
+  void
+  OutletParameters::add_parameters(ParameterHandler &prm)
+  {
+    add_opening_parameters(prm,
+                           "in a part of which soil leaves, as through "
+                           "Faces.");
+  }
+
+
+  void
+  OutletParameters::check(const unsigned int dim) const
+  {
+    check_opening("Outflow", dim);
+  }
+
+
+  void
+  InflowParameters::add_parameters(ParameterHandler &prm)
+  {
+    add_opening_parameters(prm,
+                           "through which soil enters, pushed by its nodes "
+                           "and free of stress.");
+    prm.add_parameter("Material",
+                      material,
+                      "Material that enters: one of Materials/Names.",
+                      Patterns::Anything());
+    prm.add_parameter("Velocity",
+                      velocity,
+                      "Velocity of the soil into the box (m/s), above 0.",
+                      Patterns::Double(0.));
+  }
+
+
+  void
+  InflowParameters::check(const unsigned int dim) const
+  {
+    check_opening("Inflow", dim);
+    require_positive("Inflow/" + name + "/Velocity", velocity, "m/s");
   }
 } // namespace Waker

@@ -1,8 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <deal.II/base/parameter_handler.h>
-#include <deal.II/base/utilities.h>
-
-#include <waker/base/choice_parameter.h>
 #include <waker/base/errors.h>
 #include <waker/base/numbers.h>
 #include <waker/base/places.h>
@@ -14,113 +10,6 @@
 
 namespace Waker
 {
-  void
-  LayerParameters::add_parameters(ParameterHandler &prm)
-  {
-    prm.add_parameter("Material",
-                      material,
-                      "Material of the layer: one of Materials/Names.",
-                      Patterns::Anything());
-    prm.add_parameter("Polygon",
-                      polygon,
-                      "Corners of the layer (m), \"x1, y1; x2, y2; ...\", in "
-                      "either orientation. In 3D it is extruded along z.",
-                      Patterns::Anything());
-    prm.add_parameter("Extent",
-                      extent,
-                      "3D only: the layer reaches from z0 to z1 (m), \"z0, "
-                      "z1\". Empty: over the whole grid.",
-                      Patterns::List(Patterns::Double()));
-    prm.add_parameter("Velocity",
-                      velocity,
-                      "Initial velocity of the layer (m/s): per component a "
-                      "number or an expression of x, y, z (m), with \";\" "
-                      "between them; for example \"0.1*sin(pi*x/50); 0\". "
-                      "Empty: at rest.",
-                      Patterns::Anything());
-    prm.add_parameter("Initial stress",
-                      initial_stress,
-                      "Initial stress of the layer (kPa, tension positive): "
-                      "xx; yy; zz; xy and, in 3D, xz; yz, each a number or an "
-                      "expression of x, y, z (m), with \";\" between them. It "
-                      "needs Gravity/Initial stress = false. Empty: none, or "
-                      "that of the gravity step.",
-                      Patterns::Anything());
-  }
-
-
-  Polygon
-  LayerParameters::corners() const
-  {
-    return parse_polygon(polygon, "Soil profile/" + name + "/Polygon");
-  }
-
-
-  std::vector<std::string>
-  LayerParameters::velocity_components(const unsigned int dim) const
-  {
-    const std::vector<std::string> parts =
-      Utilities::split_string_list(velocity, ';');
-    if (!parts.empty() && (parts.size() != dim ||
-                           std::count(parts.begin(), parts.end(), "") != 0))
-      throw UserError(
-        "Soil profile/" + name + "/Velocity",
-        "\"" + velocity + "\" has " + std::to_string(parts.size()) +
-          (parts.size() == 1 ? " number or expression"
-                             : " numbers or expressions"),
-        std::to_string(dim) + " numbers or expressions in " +
-          std::to_string(dim) + "D with \";\" between them, or nothing" +
-          (velocity.find(',') != std::string::npos ? decimals_with_a_point
-                                                   : ""));
-    return parts;
-  }
-
-
-  std::vector<std::string>
-  LayerParameters::stress_components(const unsigned int dim) const
-  {
-    const std::vector<std::string> parts =
-      Utilities::split_string_list(initial_stress, ';');
-    const unsigned int n = dim == 2 ? 4 : 6;
-    if (!parts.empty() &&
-        (parts.size() != n || std::count(parts.begin(), parts.end(), "") != 0))
-      throw UserError("Soil profile/" + name + "/Initial stress",
-                      "\"" + initial_stress + "\" has " +
-                        std::to_string(parts.size()) +
-                        " numbers or expressions",
-                      std::string(dim == 2 ? "\"xx; yy; zz; xy\" in 2D"
-                                           : "\"xx; yy; zz; xy; xz; yz\" in "
-                                             "3D") +
-                        ", or nothing");
-    return parts;
-  }
-
-
-  void
-  MaterialPointParameters::add_parameters(ParameterHandler &prm)
-  {
-    prm.add_parameter("Points per direction",
-                      points_per_direction,
-                      "Material points per cell and direction (1 to 10).",
-                      Patterns::Integer(1, 10));
-    prm.add_parameter("Minimum cut",
-                      minimum_cut,
-                      "A point's sub-cell of which a slope leaves less than "
-                      "this share (0 to 0.5) is given to its neighbour; no "
-                      "volume is lost. Rows have no cut sub-cells.",
-                      Patterns::Double(0., 0.5));
-    add_choice(prm,
-               "Placement",
-               placement,
-               "sub-cells: points on the lattice of the grid's "
-               "sub-cells, cut by the layers' edges. rows: each row of "
-               "sub-cells is divided into rectangles from edge to edge "
-               "of a layer, so that support domains fill it and slopes "
-               "cut the middle of the outermost ones; corners of "
-               "slopes should lie on lines between the rows.");
-  }
-
-
   namespace
   {
     std::string
@@ -185,6 +74,34 @@ namespace Waker
         }
       return value;
     }
+
+
+    /// The height maps of a layer, of which the rest of the body is known.
+    /// @param round_off (m) see HeightMap
+    void
+    read_maps(const LayerParameters &parameters,
+              const double           round_off,
+              LayerBody             &body)
+    {
+      const auto [low, high] =
+        std::minmax_element(body.corners.begin(),
+                            body.corners.end(),
+                            [](const auto &a, const auto &b) {
+                              return a[0] < b[0];
+                            });
+      const auto read = [&, x0 = (*low)[0], x1 = (*high)[0]](
+                          const std::string &file, const std::string &entry) {
+        return file.empty() ? nullptr
+                            : read_height_map(file,
+                                              {{x0, body.begin}},
+                                              {{x1, body.end}},
+                                              round_off,
+                                              "Soil profile/" +
+                                                parameters.name + "/" + entry);
+      };
+      body.top    = read(parameters.top, "Top");
+      body.bottom = read(parameters.bottom, "Bottom");
+    }
   } // namespace
 
 
@@ -233,7 +150,44 @@ namespace Waker
                           "reaches from " + interval(layer.begin, layer.end),
                           allowed);
       }
+    if (dim == 2)
+      for (const bool is_top : {true, false})
+        if (!(is_top ? parameters.top : parameters.bottom).empty())
+          throw UserError(layer.path + (is_top ? "/Top" : "/Bottom"),
+                          "is given, but the case is 2D",
+                          "nothing in 2D: the polygon says it all");
+    read_maps(parameters, 1e-6 * grid.cell_size(), layer);
+    if (!layer.is_prism() && !(layer.volume() > 0.))
+      throw UserError(layer.path + (layer.top != nullptr ? "/Top" : "/Bottom"),
+                      "leaves nothing of the layer's prism",
+                      "heights within the polygon");
     return layer;
+  }
+
+
+  std::array<double, 2>
+  level_range(const LayerParameters &parameters,
+              const double           z_begin,
+              const double           z_end)
+  {
+    LayerBody body;
+    body.corners          = parameters.corners();
+    const bool has_extent = parameters.extent.size() == 2;
+    body.begin            = has_extent ? parameters.extent[0] : z_begin;
+    body.end              = has_extent ? parameters.extent[1] : z_end;
+    read_maps(parameters, 1e-6 * (body.end - body.begin), body);
+    const auto [low, high] =
+      std::minmax_element(body.corners.begin(),
+                          body.corners.end(),
+                          [](const auto &a, const auto &b) {
+                            return a[1] < b[1];
+                          });
+    std::array<double, 2> levels = {{(*low)[1], (*high)[1]}};
+    if (body.bottom != nullptr)
+      levels[0] = std::max(levels[0], body.bottom->range()[0]);
+    if (body.top != nullptr)
+      levels[1] = std::min(levels[1], body.top->range()[1]);
+    return levels;
   }
 
 
@@ -300,7 +254,20 @@ namespace Waker
       for (unsigned int j = 0; j < i; ++j)
         {
           const Layer<dim> &a = layers[i], &b = layers[j];
-          const double      depth =
+          if (!a.is_prism() || !b.is_prism())
+            {
+              const double common = common_volume(a, b);
+              if (common <= 1e-9 * std::min(a.volume(), b.volume()))
+                continue;
+              std::ostringstream what; // an integral: not to the last digit
+              what << "overlaps \"" << b.path << "\" over " << common << " m^3";
+              throw UserError(a.path + (a.bottom != nullptr ? "/Bottom"
+                                        : a.top != nullptr  ? "/Top"
+                                                            : "/Polygon"),
+                              what.str(),
+                              "layers that touch at most");
+            }
+          const double depth =
             std::min(a.end, b.end) - std::max(a.begin, b.begin);
           if (depth <= 1e-9 * std::min(a.end - a.begin, b.end - b.begin))
             continue;

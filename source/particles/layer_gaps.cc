@@ -103,6 +103,13 @@ namespace Waker
 
 
     bool
+    has_map(const LayerParameters &layer)
+    {
+      return !layer.top.empty() || !layer.bottom.empty();
+    }
+
+
+    bool
     apart_along_z(const LayerParameters &a, const LayerParameters &b)
     {
       return a.extent.size() == 2 && b.extent.size() == 2 &&
@@ -128,7 +135,8 @@ namespace Waker
     for (std::size_t i = 0; i < layers.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
         {
-          if (apart_along_z(layers[i], layers[j]))
+          if (apart_along_z(layers[i], layers[j]) || has_map(layers[i]) ||
+              has_map(layers[j]))
             continue;
           LayerGap gap{layers[j].name, layers[i].name, 0., 0., {}};
           for (std::size_t k = 0; k < polygons[i].size(); ++k)

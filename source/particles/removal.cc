@@ -5,21 +5,13 @@ namespace Waker
 {
   template <int dim>
   std::vector<std::size_t>
-  points_beyond(const BackgroundGrid<dim> &grid,
-                const std::vector<bool>   &open,
+  points_beyond(const Openings<dim>       &openings,
                 const MaterialPoints<dim> &points)
   {
     std::vector<std::size_t> list;
     for (std::size_t p = 0; p < points.n_points(); ++p)
-      {
-        const Point<dim> &x      = points.position[p];
-        bool              beyond = false;
-        for (unsigned int d = 0; d < dim; ++d)
-          beyond = beyond || (open[2 * d] && x[d] < grid.lower_corner()[d]) ||
-                   (open[2 * d + 1] && x[d] > grid.upper_corner()[d]);
-        if (beyond)
-          list.push_back(p);
-      }
+      if (openings.is_passed_by(points.position[p]))
+        list.push_back(p);
     return list;
   }
 
@@ -48,13 +40,9 @@ namespace Waker
 
 
   template std::vector<std::size_t>
-  points_beyond(const BackgroundGrid<2> &,
-                const std::vector<bool> &,
-                const MaterialPoints<2> &);
+  points_beyond(const Openings<2> &, const MaterialPoints<2> &);
   template std::vector<std::size_t>
-  points_beyond(const BackgroundGrid<3> &,
-                const std::vector<bool> &,
-                const MaterialPoints<3> &);
+  points_beyond(const Openings<3> &, const MaterialPoints<3> &);
   template void
   remove_points(const std::vector<std::size_t> &, MaterialPoints<2> &);
   template void

@@ -177,14 +177,38 @@ namespace Waker
       std::vector<Moments> rest_of_row;
     };
 
-    /// Add the area and first moment of one part to another.
+    /// Add the volume and first moment of one part to another.
+    template <int dim>
     void
-    give(const SubCellPart &from, SubCellPart &to)
+    give(const LatticePart<dim> &from, LatticePart<dim> &to)
     {
       const double weight = from.share / (to.share + from.share);
-      for (unsigned int d = 0; d < 2; ++d)
+      for (unsigned int d = 0; d < dim; ++d)
         to.centroid[d] += weight * (from.centroid[d] - to.centroid[d]);
       to.share += from.share;
+    }
+
+
+    /// Does one stand before the other in the lexicographic order?
+    template <int dim>
+    bool
+    comes_before(const std::array<int, dim> &a, const std::array<int, dim> &b)
+    {
+      for (unsigned int d = dim; d-- > 0;)
+        if (a[d] != b[d])
+          return a[d] < b[d];
+      return false;
+    }
+
+
+    template <int dim>
+    double
+    distance(const std::array<double, dim> &a, const std::array<double, dim> &b)
+    {
+      if constexpr (dim == 2)
+        return std::hypot(a[0] - b[0], a[1] - b[1]);
+      else
+        return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
     }
   } // namespace
 
@@ -197,28 +221,28 @@ namespace Waker
   }
 
 
-  std::vector<SubCellPart>
-  merge_small_parts(const std::vector<SubCellPart> &parts,
-                    const double                    minimum_share)
+  template <int dim>
+  std::vector<LatticePart<dim>>
+  merge_small_parts(const std::vector<LatticePart<dim>> &parts,
+                    const double                         minimum_share)
   {
-    std::vector<SubCellPart> merged(parts);
-    std::vector<bool>        gone(parts.size(), false);
-    const auto               is_small = [&](const double share) {
+    std::vector<LatticePart<dim>> merged(parts);
+    std::vector<bool>             gone(parts.size(), false);
+    const auto                    is_small = [&](const double share) {
       return share < minimum_share - round_off;
     };
 
     // The parts lie lexicographically: find one by bisection.
-    const auto find = [&](const int i, const int j) {
-      const auto before = [](const SubCellPart         &part,
-                             const std::pair<int, int> &ji) {
-        return std::make_pair(part.index[1], part.index[0]) < ji;
-      };
-      const auto place = std::lower_bound(parts.begin(),
-                                          parts.end(),
-                                          std::make_pair(j, i),
-                                          before);
-      return place != parts.end() && place->index[0] == i &&
-                 place->index[1] == j
+    const auto find = [&](const std::array<int, dim> &index) {
+      const auto place =
+        std::lower_bound(parts.begin(),
+                         parts.end(),
+                         index,
+                         [](const LatticePart<dim>     &part,
+                            const std::array<int, dim> &sought) {
+                           return comes_before<dim>(part.index, sought);
+                         });
+      return place != parts.end() && place->index == index
                ? static_cast<std::size_t>(place - parts.begin())
                : parts.size();
     };
@@ -239,24 +263,28 @@ namespace Waker
 
         std::size_t best          = parts.size();
         double      best_distance = std::numeric_limits<double>::max();
-        for (const auto &step :
-             {std::array<int, 2>{{0, -1}}, {{-1, 0}}, {{1, 0}}, {{0, 1}}})
+        // Lower neighbours first, the last direction first of them; then the
+        // upper ones, the first direction first.
+        for (unsigned int n = 0; n < 2 * dim; ++n)
           {
-            const std::size_t q =
-              find(parts[p].index[0] + step[0], parts[p].index[1] + step[1]);
+            std::array<int, dim> index = parts[p].index;
+            if (n < dim)
+              --index[dim - 1 - n];
+            else
+              ++index[n - dim];
+            const std::size_t q = find(index);
             if (q == parts.size() || gone[q])
               continue;
             // Shares and centroids before any merging, so that the choice
             // hardly depends on the order.
-            const double distance =
-              std::hypot(parts[q].centroid[0] - parts[p].centroid[0],
-                         parts[q].centroid[1] - parts[p].centroid[1]);
+            const double way =
+              distance<dim>(parts[q].centroid, parts[p].centroid);
             const double more =
               best == parts.size() ? 1. : parts[q].share - parts[best].share;
-            if (more > 1e-9 || (more > -1e-9 && distance < best_distance))
+            if (more > 1e-9 || (more > -1e-9 && way < best_distance))
               {
                 best          = q;
-                best_distance = distance;
+                best_distance = way;
               }
           }
         if (best == parts.size())
@@ -267,7 +295,7 @@ namespace Waker
           small.emplace(merged[best].share, best);
       }
 
-    std::vector<SubCellPart> result;
+    std::vector<LatticePart<dim>> result;
     for (std::size_t p = 0; p < parts.size(); ++p)
       if (!gone[p])
         result.push_back(merged[p]);
@@ -305,4 +333,10 @@ namespace Waker
       }
     return parts;
   }
+
+
+  template std::vector<LatticePart<2>>
+  merge_small_parts(const std::vector<LatticePart<2>> &, const double);
+  template std::vector<LatticePart<3>>
+  merge_small_parts(const std::vector<LatticePart<3>> &, const double);
 } // namespace Waker

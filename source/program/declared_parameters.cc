@@ -106,6 +106,7 @@ namespace Waker
     {"Tractions", "Names", &ParameterNames::tractions},
     {"Point loads", "Names", &ParameterNames::point_loads},
     {"Walls", "Names", &ParameterNames::walls},
+    {"Outflow", "Names", &ParameterNames::outlets},
     {"Inflow", "Names", &ParameterNames::inflows},
     {"Random fields", "Names", &ParameterNames::fields}};
 
@@ -182,6 +183,13 @@ namespace Waker
           parameters.point_loads);
     named("Walls", "walls", names.walls, parameters.walls);
     declare_section(prm, "Outflow", parameters.outflow);
+    declare_named(prm,
+                  "Outflow",
+                  "Names",
+                  "Names of the parts of faces through which soil leaves, "
+                  "separated by commas; each has a subsection.",
+                  names.outlets,
+                  parameters.outlets);
     named("Inflow", "inflows", names.inflows, parameters.inflows);
     declare_section(prm, "Kinematics and mapping", parameters.mapping);
     declare_section(prm, "Time stepping", parameters.time);

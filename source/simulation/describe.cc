@@ -57,12 +57,18 @@ namespace Waker
       std::accumulate(points.mass.begin(), points.mass.end(), 0.);
     const double volume =
       std::accumulate(points.volume.begin(), points.volume.end(), 0.);
+    // With whole domains the soil may have another volume than was drawn.
+    const double       drawn = profile_volume(the_case.grid, p.layers);
+    std::ostringstream profile;
+    if (p.inflows.empty() && std::abs(volume - drawn) > 1e-6 * drawn)
+      profile << " (the profile has " << drawn << ")";
     if (points.n_points() > 0)
       say(log,
-          "  points    %zu, %g m^%d, %g Mg, %.3g per full cell",
+          "  points    %zu, %g m^%d%s, %g Mg, %.3g per full cell",
           points.n_points(),
           volume,
           dim,
+          profile.str().c_str(),
           mass,
           points.n_points() * std::pow(h, dim) / volume);
     else

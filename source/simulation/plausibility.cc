@@ -90,6 +90,10 @@ namespace Waker
                     "Water/Unit weight",
                     "Side = none",
                     warnings);
+      warn_unused(!p.gravity.initial_stress && p.gravity.initial_share != 1.,
+                  "Gravity/Initial share",
+                  "Initial stress = false",
+                  warnings);
       const TimeParameters usual;
       warn_unused(scheme_traits(p.time).is_implicit &&
                     p.time.courant_number != usual.courant_number,
@@ -177,6 +181,37 @@ namespace Waker
                            ranges);
         }
     }
+
+
+    /// A polygon that cuts off what a height map has beyond it.
+    void
+    check_maps(const LayerParameters    &layer,
+               const LayerBody          &body,
+               std::vector<std::string> &warnings)
+    {
+      double low = body.corners[0][1], high = low;
+      for (const auto &corner : body.corners)
+        {
+          low  = std::min(low, corner[1]);
+          high = std::max(high, corner[1]);
+        }
+      const double       round_off = 1e-6 * (high - low);
+      std::ostringstream text;
+      text << "Soil profile/" << layer.name << "/";
+      if (body.top != nullptr && body.top->range()[1] > high + round_off)
+        text << "Top rises to " << body.top->range()[1]
+             << " m, but Polygon ends at " << high;
+      else if (body.bottom != nullptr &&
+               body.bottom->range()[0] < low - round_off)
+        text << "Bottom falls to " << body.bottom->range()[0]
+             << " m, but Polygon begins at " << low;
+      else
+        return;
+      text << " m: the layer is cut there";
+      warnings.push_back(text.str());
+    }
+
+
     constexpr double usual_traction = 1000.; // kPa
     constexpr double usual_weights  = 5.;    // of all soil
 
@@ -337,6 +372,20 @@ namespace Waker
         text << "Soil profile: soil begins at " << fastest
              << " m/s and crosses " << fastest * p.time.time_step / h
              << " cells in the first time step";
+        warnings.push_back(text.str());
+      }
+
+    for (std::size_t l = 0; l < p.layers.size(); ++l)
+      check_maps(p.layers[l], the_case.depths.bodies()[l], warnings);
+    for (const BodyGap &gap :
+         body_gaps(the_case.depths.bodies(), 0.5 * p.grid.cell_size))
+      {
+        std::ostringstream text;
+        text << "Soil profile: between " << p.layers[gap.lower].name << " and "
+             << p.layers[gap.upper].name << " above it there is a gap of up to "
+             << gap.height << " m over " << gap.area << " m^2, around ("
+             << gap.middle[0] << ", " << gap.middle[1] << ", " << gap.middle[2]
+             << ") m; layers usually touch";
         warnings.push_back(text.str());
       }
 

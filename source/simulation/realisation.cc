@@ -117,7 +117,7 @@ namespace Waker
         : the_case->last_load_change > since * (1. + 1e-9);
     unrest.at_box = soil_lies_against_side(the_case->grid,
                                            state->points,
-                                           the_case->flow.open_faces());
+                                           the_case->flow.openings());
     return unrest;
   }
 

@@ -2,13 +2,11 @@
 #include <waker/base/errors.h>
 #include <waker/base/numbers.h>
 #include <waker/base/read_file.h>
+#include <waker/base/stl.h>
 #include <waker/base/text.h>
 #include <waker/surface/user_surface.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <cstring>
 #include <map>
 #include <sstream>
 
@@ -16,31 +14,6 @@ namespace Waker
 {
   namespace
   {
-    std::string
-    contents(const std::string &file, const std::string &path)
-    {
-      if (file.empty())
-        throw UserError(path,
-                        "is empty",
-                        "the file with the surface that is loaded");
-      try
-        {
-          const std::string text = read_input_file(file);
-          if (text.empty())
-            throw UserError(file, "holds nothing", "a file that holds one");
-          return without_byte_order_mark(text);
-        }
-      catch (const UserError &error)
-        {
-          throw UserError(path,
-                          "\"" + file + "\" " + error.problem,
-                          error.allowed +
-                            "; names are relative to the folder in which waker "
-                            "is started");
-        }
-    }
-
-
     const char *const allowed_2d =
       "lines with \"x y\" (m), the last vertex of a chain the same as its "
       "first, empty lines between chains, # before comments";
@@ -130,7 +103,7 @@ namespace Waker
 
     /// Triangles with vertices of their own become ones that share them.
     UserSurface<3>
-    merge_vertices(const std::vector<std::array<Point<3>, 3>> &triangles)
+    merge_vertices(const std::vector<StlTriangle> &triangles)
     {
       // STL repeats a vertex in every triangle, digit by digit.
       UserSurface<3>                                surface;
@@ -163,63 +136,7 @@ namespace Waker
           const std::string &path,
           const std::integral_constant<int, 3>)
     {
-      const auto refuse = [&](const std::string &what) {
-        throw UserError(path,
-                        "\"" + file + "\" " + what,
-                        std::string("an STL file, text or binary") +
-                          decimals_with_a_point);
-      };
-      std::vector<std::array<Point<3>, 3>> triangles;
-
-      // Binary: 80 bytes, the number of triangles, and for each a normal and
-      // three vertices as floats and two bytes more. Only the size tells.
-      constexpr std::size_t header = 84, per_triangle = 50;
-      std::uint32_t         n = 0;
-      if (text.size() >= header)
-        std::memcpy(&n, text.data() + 80, sizeof n);
-      if (text.size() >= header && text.size() == header + n * per_triangle)
-        {
-          for (std::uint32_t i = 0; i < n; ++i)
-            {
-              float x[12];
-              std::memcpy(x, text.data() + header + i * per_triangle, sizeof x);
-              std::array<Point<3>, 3> triangle;
-              for (unsigned int k = 0; k < 3; ++k)
-                triangle[k] =
-                  Point<3>(x[3 + 3 * k], x[4 + 3 * k], x[5 + 3 * k]);
-              triangles.push_back(triangle);
-            }
-        }
-      else
-        {
-          std::istringstream      stream(text);
-          std::string             word;
-          std::array<Point<3>, 3> triangle;
-          unsigned int            k = 0;
-          if (!(stream >> word) || word != "solid")
-            refuse("is no STL file");
-          while (stream >> word)
-            if (word == "vertex")
-              {
-                Point<3> x;
-                if (k == 3 || !(stream >> x[0] >> x[1] >> x[2]))
-                  refuse("has a facet that is no triangle");
-                triangle[k++] = x;
-              }
-            else if (word == "endfacet")
-              {
-                if (k != 3)
-                  refuse("has a facet that is no triangle");
-                triangles.push_back(triangle);
-                k = 0;
-              }
-        }
-      for (const auto &triangle : triangles)
-        for (const Point<3> &x : triangle)
-          for (unsigned int d = 0; d < 3; ++d)
-            if (!std::isfinite(x[d]))
-              refuse("has a vertex that is not a number");
-      return merge_vertices(triangles);
+      return merge_vertices(parse_stl(text, file, path));
     }
   } // namespace
 
@@ -230,10 +147,11 @@ namespace Waker
                     const std::string         &path,
                     const BackgroundGrid<dim> &grid)
   {
-    const UserSurface<dim> surface = parse(contents(file, path),
-                                           file,
-                                           path,
-                                           std::integral_constant<int, dim>());
+    const UserSurface<dim> surface =
+      parse(read_named_file(file, path, "the surface that is loaded"),
+            file,
+            path,
+            std::integral_constant<int, dim>());
     check_user_surface(surface, "\"" + file + "\"", path, grid);
     return surface;
   }

@@ -15,6 +15,7 @@ from program import Program
 
 source = os.path.abspath(sys.argv[2])
 good = os.path.join(source, "parameters/chapter5/dyke.prm")
+slope = os.path.join(source, "parameters/chapter6/slope.prm")
 random = os.path.join(source, "parameters/chapter5/analysis1.prm")
 with open(good, encoding="utf-8") as good_file:
     good_lines = good_file.read().splitlines()
@@ -435,6 +436,65 @@ def walls_and_flow(cases):
            "Inflow/i/Material=clay")
 
 
+def three_dimensions(cases):
+    """Height maps, and faces that are held and open in parts."""
+    def check(name, path, what, *values):
+        cases.check(name, f"^--set {path}$", what,
+                    ["run", slope, *sets("Grid/Cell size=0.5", *values)])
+
+    places = [(x, z) for x in (0, 3.5) for z in (0, 4, 8)]
+    top = "Soil profile/slope/Top"
+
+    def height_map(name, lines, what):
+        write("map.csv", "\n".join(lines) + "\n")
+        check(name, top, what, f"{top}=map.csv")
+
+    table = ["x, z, y"] + [f"{x}, {z}, 0.5" for x, z in places]
+    height_map("height map: hole", table[:3] + table[4:], "hole")
+    height_map("height map: two heights", table + ["0, 4, 0.7"], "two heights")
+    height_map("height map: too small", [line for line in table
+                                         if ", 8," not in line],
+               "inside the layer")
+    height_map("height map: no titles", table[1:], "names of three")
+    height_map("height map: nothing left",
+               ["x, z, y"] + [f"{x}, {z}, -1" for x, z in places],
+               "leaves nothing")
+    check("height map: no file", top, "nowhere.csv", f"{top}=nowhere.csv")
+
+    # A roof that comes back over itself, and a wall.
+    def stl(name, triangles, what):
+        write("map.stl", "solid\n" + "".join(
+            "facet normal 0 1 0\nouter loop\n" + "".join(
+                f"vertex {x} {y} {z}\n" for x, y, z in triangle)
+            + "endloop\nendfacet\n" for triangle in triangles) + "endsolid\n")
+        check(name, top, what, f"{top}=map.stl")
+
+    a, b, c, d = (0, 0.5, 0), (4, 0.5, 0), (4, 0.5, 8), (0, 0.5, 8)
+    flat = [(a, b, c), (a, c, d)]
+    stl("height map: overhang", flat + [(c, a, (1, 0.9, 6))], "folds back")
+    stl("height map: wall", flat + [((1, 0.5, 2), (2, 0.5, 4), (2, 0.9, 4))],
+        "upright")
+    stl("height map: half of it", flat[:1], "hole")
+
+    cases.check("whole sub-cells that are not the profile",
+                "Material points/Placement", "whole sub-cells have",
+                ["run", slope,
+                 *sets("Grid/Cell size=0.5",
+                       "Soil profile/slope/Polygon=0,0; 3,0; 3,0.9; 0,0.9")])
+    cases.check("held and open", "Outflow/near toe/Face", "near end",
+                ["run", slope, *sets("Outflow/near toe/From=3, 0, 0",
+                                     "Grid/Cell size=0.5")])
+    cases.check("open as a whole, held in a part", "^--set Outflow/Faces$",
+                "near end", ["run", slope, *sets("Outflow/Faces=right, back",
+                                                 "Grid/Cell size=0.5")])
+    check("opening off the lines", "Outflow/near toe/From", "3.6 m",
+          "Outflow/near toe/From=3.6, 0, 0")
+    check("opening without a face", "Outflow/near toe/Face", "ceiling",
+          "Outflow/near toe/Face=ceiling")
+    check("no share", "Gravity/Initial share", "0",
+          "Gravity/Initial share=0")
+
+
 def tables(cases):
     """The first row looks like titles to a careless reader."""
     for table in ("3;0.01\n4;0.001\n", "3,5;0,01\n4;0.001\n",
@@ -531,8 +591,8 @@ def main():
         cases = Cases(program)
         for group in (command_line, files, values, sizes, decimal_commas,
                       numbers_of_the_command_line, texts, grid, tractions,
-                      other_loads, walls_and_flow, tables, output_folder,
-                      after_a_run):
+                      other_loads, walls_and_flow, three_dimensions, tables,
+                      output_folder, after_a_run):
             group(cases)
         same_as_a_process(cases, real)
         os.chdir("/")

@@ -97,7 +97,7 @@ namespace base_choice
     check_names<VolumetricStrain>(2);
     check_names<SupportDomains>(2);
     check_names<ShapeFunctions>(2);
-    check_names<Placement>(2);
+    check_names<Placement>(3);
     check_names<BoxFace>(6);
     check_names<FixityRegion>(7);
     check_names<FixityType>(3);

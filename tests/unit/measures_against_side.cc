@@ -2,6 +2,7 @@
 #include <waker/grid/background_grid.h>
 #include <waker/measures/soil_at_sides.h>
 #include <waker/particles/material_points.h>
+#include <waker/particles/openings.h>
 
 #include <gtest/gtest.h>
 
@@ -31,9 +32,21 @@ namespace measures_against_side
       }
 
       bool
-      lies(const std::vector<bool> &open = {false, false, false, false}) const
+      lies() const
       {
-        return soil_lies_against_side(grid, points, open);
+        return soil_lies_against_side(grid, points, Openings<2>(grid));
+      }
+
+      /// With an opening in a side, from a height (m) on.
+      bool
+      lies(const BoxFace open, const double from) const
+      {
+        OutletParameters outlet;
+        outlet.face = open;
+        outlet.from = {0., from};
+        Openings<2> openings(grid);
+        openings.add(place_opening(grid, outlet, ""));
+        return soil_lies_against_side(grid, points, openings);
       }
 
       BackgroundGrid<2> grid;
@@ -59,11 +72,16 @@ namespace measures_against_side
         EXPECT_FALSE(row.lies());
         row.points.position[1][0] = last;
         EXPECT_TRUE(row.lies());
-        EXPECT_DOUBLE_EQ(soil_at_sides(row.grid, row.points).volume[side > 0.],
+        EXPECT_DOUBLE_EQ(soil_at_sides(row.grid,
+                                       row.points,
+                                       Openings<2>(row.grid))
+                           .volume[side > 0.],
                          0.5 * h * h);
-        // What passes an open side lies against nothing.
-        EXPECT_EQ(row.lies({true, false, false, false}), side > 0.);
-        EXPECT_EQ(row.lies({false, true, false, false}), side == 0.);
+        // What passes an open side lies against nothing: it lies at y = -2.9.
+        EXPECT_EQ(row.lies(BoxFace::left, -3.), side > 0.);
+        EXPECT_EQ(row.lies(BoxFace::right, -3.), side == 0.);
+        EXPECT_TRUE(row.lies(BoxFace::left, -2.5));
+        EXPECT_TRUE(row.lies(BoxFace::right, -2.5));
       }
   }
 

@@ -122,6 +122,26 @@ namespace nodes_fixities
     EXPECT_EQ(Fixities<2>(grid, {left, right}).closed_faces(), 4u);
     right.to = {2.5, 0.};
     EXPECT_EQ(Fixities<2>(grid, {left, right}).closed_faces(), 0u);
+
+    // Beside what is held an opening closes it, too: the soil does not end
+    // there. A face that is open as a whole is not closed.
+    OutletParameters outlet;
+    outlet.face       = BoxFace::bottom;
+    outlet.from       = {2.5, 0.};
+    const auto opened = [&](const OutletParameters              &opening,
+                            const std::vector<FixityParameters> &conditions) {
+      Openings<2> openings(grid);
+      openings.add(place_opening(grid, opening, ""));
+      return Fixities<2>(grid, conditions, openings).closed_faces();
+    };
+    EXPECT_EQ(opened(outlet, {left, right}), 4u);
+    outlet.from = {3., 0.};
+    EXPECT_USER_ERROR(opened(outlet, {left}), "/To", "empty");
+    outlet.from = {2., 0.};
+    outlet.to   = {2.5, 0.};
+    EXPECT_EQ(opened(outlet, {left}), 0u); // free from 2.5 m on
+    outlet.from = outlet.to = {};
+    EXPECT_EQ(opened(outlet, {}), 0u);
   }
 
 

@@ -117,11 +117,55 @@ namespace particles_flow
       Lattice::add_point(points, x, 1., 0.1);
     for (unsigned int f = 0; f < 4; ++f)
       {
-        std::vector<bool> open(4, false);
-        open[f]             = true;
+        OutletParameters whole;
+        whole.face = static_cast<BoxFace>(f);
+        Openings<2> open(grid);
+        EXPECT_TRUE(open.empty());
+        open.add(place_opening(grid, whole, "Outflow"));
         const auto expected = std::vector<std::size_t>{f < 1 ? 0u : f + 1};
-        EXPECT_EQ(points_beyond(grid, open, points), expected);
+        EXPECT_EQ(points_beyond(open, points), expected);
       }
+  }
+
+
+  // A part of the back face from x = 0.5 to the edge of the box, and of all
+  // heights: what lies beside it stays, what is beyond the edge goes.
+  TEST(ParticlesFlow, OnlyTheOpenPartOfAFaceLetsPointsOut)
+  {
+    const auto       grid  = Lattice::grid<3>(2., 0.5);
+    const Point<3>   lower = grid.lower_corner(), upper = grid.upper_corner();
+    const double     past = 0.1, x = lower[0] + 0.5, y = lower[1] + 1.;
+    OutletParameters part;
+    part.name = "part";
+    part.face = BoxFace::back;
+    part.from = {x, lower[1], 0.};
+    Openings<3> open(grid);
+    open.add(place_opening(grid, part, "Outflow/part"));
+
+    MaterialPoints<3> points;
+    const auto        add = [&](const double along, const double up) {
+      Lattice::add_point(points, Point<3>(along, up, lower[2] - past), 1., 0.1);
+    };
+    add(x - 0.01, y);               // 0: beside the opening
+    add(x + 0.01, y);               // 1
+    add(upper[0] + past, y);        // 2: past two faces
+    add(x + 0.01, lower[1] - past); // 3
+    add(lower[0] - past, y);        // 4: past the other edge
+    Lattice::add_point(points, Point<3>(x + 0.01, y, upper[2] + past), 1., 0.1);
+    EXPECT_EQ(points_beyond(open, points), (std::vector<std::size_t>{1, 2, 3}));
+    EXPECT_TRUE(open.is_open(4, points.position[1]));
+    EXPECT_FALSE(open.is_open(4, points.position[0]));
+    EXPECT_FALSE(open.is_open(5, points.position[1]));
+
+    // Does another one have a part in common?
+    OutletParameters other = part;
+    other.from             = {};
+    other.to               = {x, upper[1], 0.};
+    EXPECT_FALSE(open.meets(place_opening(grid, other, "")));
+    other.to[0] += 0.5;
+    EXPECT_TRUE(open.meets(place_opening(grid, other, "")));
+    other.face = BoxFace::front;
+    EXPECT_FALSE(open.meets(place_opening(grid, other, "")));
   }
 
 
@@ -135,8 +179,8 @@ namespace particles_flow
         const auto         strip      = feeder<2>(parameters);
         const unsigned int d          = parameters.face_number() / 2;
         const double inwards = parameters.face_number() % 2 == 0 ? 1. : -1.;
-        const double x       = strip.lower()[d];
-        EXPECT_EQ(x, strip.upper()[d]);
+        const double x       = strip.mouth().lower[d];
+        EXPECT_EQ(x, strip.mouth().upper[d]);
 
         MaterialPoints<2> points;
         std::uint64_t     next_id = 0, rows = 0;
@@ -214,6 +258,23 @@ namespace particles_flow
     EXPECT_EQ(problem(parameters), "Inflow/mouth/To");
     parameters.to = {0., 2.5};
     EXPECT_EQ(problem(parameters), "Inflow/mouth/To"); // beyond the box
+
+    OutletParameters outlet;
+    outlet.name = "gap";
+    outlet.face = BoxFace::front;
+    EXPECT_USER_ERROR(outlet.check(2), "Outflow/gap/Face", "\"front\" in 2D");
+    EXPECT_NO_THROW(outlet.check(3));
+    outlet.from = {1., 1., 1.};
+    outlet.to   = {2., 1., 0.};
+    EXPECT_USER_ERROR(outlet.check(3), "Outflow/gap/To", "direction y");
+    outlet.to = {2., 2., 0.};
+    EXPECT_NO_THROW(outlet.check(3));
+    const auto cubes = Lattice::grid<3>(2., 0.5);
+    EXPECT_NO_THROW(place_opening(cubes, outlet, "Outflow/gap"));
+    outlet.to = {1.8, 2., 0.};
+    EXPECT_USER_ERROR(place_opening(cubes, outlet, "Outflow/gap"),
+                      "Outflow/gap/To",
+                      "1.8 m in direction x");
 
     OutflowParameters outflow;
     outflow.faces = "right, top";

@@ -29,6 +29,18 @@ namespace Waker
   std::string
   read_input_file(const std::string &path);
 
+  /**
+   * A file that a parameter names, without a byte order mark.
+   *
+   * @param path of the parameter
+   * @param holds what the file holds, for the error: "the surface that ..."
+   * @throws UserError at `path` if it has no name, cannot be read or is empty
+   */
+  std::string
+  read_named_file(const std::string &file,
+                  const std::string &path,
+                  const std::string &holds);
+
   /// Standard input, say, to its end, with the same limit.
   /// @param name of it, for messages
   /// @throws UserError with the name

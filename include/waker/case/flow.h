@@ -16,9 +16,9 @@ namespace Waker
   struct State;
 
   /**
-   * What flows through the faces of the grid's box: points that pass an open
-   * face are removed, others enter through inflows. Part of the case: what has
-   * flowed so far is in the state (FlowAccount).
+   * What flows through the faces of the grid's box: points that pass the open
+   * part of a face are removed, others enter through inflows. Part of the case:
+   * what has flowed so far is in the state (FlowAccount).
    *
    * An inflow is pushed: the nodes of its opening, on the face and in the
    * margin, move into the box at its velocity, and hold the other components.
@@ -29,8 +29,8 @@ namespace Waker
   public:
     /**
      * @throws UserError "Outflow/..." or "Inflow/...": an opening off the
-     *         grid's lines, an unknown material, a face that a boundary
-     *         condition closes or that is both inflow and outflow
+     *         grid's lines, an unknown material, a part of a face that is both
+     *         open and held by a boundary condition, or both inflow and outflow
      */
     Flow(const BackgroundGrid<dim> &grid,
          const Materials           &materials,
@@ -39,13 +39,22 @@ namespace Waker
     bool
     is_used() const
     {
-      return has_outflow || !feeders.empty();
+      return !outlets.empty() || !feeders.empty();
     }
 
-    /// Faces of the box through which material leaves or enters, by number (2d
-    /// lower, 2d + 1 upper face in direction d).
-    std::vector<bool>
-    open_faces() const;
+    /// The parts of the box's faces through which material leaves or enters.
+    const Openings<dim> &
+    openings() const
+    {
+      return all_openings;
+    }
+
+    /// Those through which it leaves.
+    const Openings<dim> &
+    outflow() const
+    {
+      return outlets;
+    }
 
     /// The boundary conditions of the parameters, and those that move the
     /// nodes of the inflows. At the edge of an opening the inflow wins.
@@ -76,6 +85,19 @@ namespace Waker
              State<dim>            &state) const;
 
   private:
+    void
+    add_outlet(const OpeningParameters &parameters,
+               const std::string       &path,
+               const std::string       &where);
+
+    void
+    add_inflow(const InflowParameters &inflow, const Parameters &parameters);
+
+    /// The condition that holds the motion through a part of an opening; none:
+    /// nullptr.
+    const FixityParameters *
+    holder_of(const Opening<dim> &opening) const;
+
     /// Force on the body at the end of a step (kN).
     Tensor<1, dim>
     force(const NodalState      &nodes,
@@ -89,9 +111,8 @@ namespace Waker
     const Materials              *materials;
     SchemeTraits                  scheme;
     double                        ramp_duration;
-    bool                          has_outflow;
-    std::vector<bool>             outflow_faces;
-    std::vector<unsigned int>     inflow_faces;
+    Openings<dim>                 outlets;
+    Openings<dim>                 all_openings;
     std::vector<Feeder<dim>>      feeders;
     std::vector<FixityParameters> all_conditions;
   };

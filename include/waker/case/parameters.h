@@ -70,6 +70,7 @@ namespace Waker
     std::vector<PointLoadParameters> point_loads;
     std::vector<WallParameters>      walls;
     OutflowParameters                outflow;
+    std::vector<OutletParameters>    outlets;
     std::vector<InflowParameters>    inflows;
     MappingParameters                mapping;
     TimeParameters                   time;

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstddef>
-#include <vector>
 
 namespace Waker
 {
@@ -12,6 +11,8 @@ namespace Waker
   class BackgroundGrid;
   template <int dim>
   struct MaterialPoints;
+  template <int dim>
+  class Openings;
 
   /**
    * Soil that has come to the end of the box: points in its last row of cells
@@ -42,23 +43,25 @@ namespace Waker
     }
   };
 
+  /// @param openings what is on its way through one of them does not count
   template <int dim>
   SoilAtSides<dim>
   soil_at_sides(const BackgroundGrid<dim> &grid,
-                const MaterialPoints<dim> &points);
+                const MaterialPoints<dim> &points,
+                const Openings<dim>       &openings);
 
   /**
    * Has so much soil come to the left or right side that the box holds it? That
    * is half a cell's volume of it: one row of points of the usual two.
    *
-   * @param open_faces of the box, by number: what passes is removed or fed, and
-   *        lies against nothing
+   * @param openings of the box: what passes is removed or fed, and lies against
+   *        nothing
    */
   template <int dim>
   bool
   soil_lies_against_side(const BackgroundGrid<dim> &grid,
                          const MaterialPoints<dim> &points,
-                         const std::vector<bool>   &open_faces);
+                         const Openings<dim>       &openings);
 } // namespace Waker
 
 #endif

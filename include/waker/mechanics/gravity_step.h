@@ -29,7 +29,8 @@ namespace Waker
    * added, and the residual iterated away (LinearMethod::elastic). Cells with
    * points of two stiffnesses get one of their own: see mixed_cells.h.
    *
-   * @param nodes in: mass, external_force (weight and water)
+   * @param nodes in: mass, external_force (weight and water, or a share of
+   *        them)
    * @param full_node_mass see NewtonSolver: the norm of the residual is its
    * @param tolerance of the relative residual
    * @param mapping the strain, small here, and its volumetric part

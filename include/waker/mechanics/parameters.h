@@ -119,6 +119,10 @@ namespace Waker
     /// points fixed in place, under weight and water.
     bool   initial_stress = true;
     double tolerance      = 1e-8; // of that step's residual
+    /// Share of weight and loads that the step applies (-), above 0, at most
+    /// 1. The rest acts from the start of the run, on points that move and
+    /// yield.
+    double initial_share = 1.;
 
     /// The acceleration (m/s^2) that turns unit weight into density: a case
     /// without weight (a vibrating bar) has its mass all the same.

@@ -4,6 +4,7 @@
 
 #include <waker/grid/background_grid.h>
 #include <waker/grid/box_face.h>
+#include <waker/particles/openings.h>
 
 #include <memory>
 #include <optional>
@@ -163,9 +164,18 @@ namespace Waker
   class Fixities
   {
   public:
+    /// @param openings the parts of faces through which soil leaves: see
+    ///        closed_faces()
     /// @throws UserError if a region holds no node or an expression is wrong
     Fixities(const BackgroundGrid<dim>           &grid,
-             const std::vector<FixityParameters> &parameters);
+             const std::vector<FixityParameters> &parameters,
+             const Openings<dim>                 &openings);
+
+    /// Without openings.
+    Fixities(const BackgroundGrid<dim>           &grid,
+             const std::vector<FixityParameters> &parameters)
+      : Fixities(grid, parameters, Openings<dim>(grid))
+    {}
 
     ~Fixities();
     Fixities(Fixities &&);
@@ -226,8 +236,10 @@ namespace Waker
                        std::vector<double> &increments) const;
 
     /// Faces of the box that are closed: each of their nodes is held at rest in
-    /// the normal direction. Bit 2d for the lower, 2d + 1 for
-    /// the upper face in direction d. The proximity field is mirrored there.
+    /// the normal direction, or lies in an opening beside those that are: where
+    /// a face is open in a part, the box ends there, not the soil. Bit 2d for
+    /// the lower, 2d + 1 for the upper face in direction d. The proximity field
+    /// is mirrored there.
     unsigned int
     closed_faces() const
     {

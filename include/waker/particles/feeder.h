@@ -3,8 +3,8 @@
 #define waker_particles_feeder_h
 
 #include <waker/grid/background_grid.h>
-#include <waker/particles/flow_parameters.h>
 #include <waker/particles/material_points.h>
+#include <waker/particles/openings.h>
 
 #include <cstdint>
 #include <string>
@@ -57,17 +57,11 @@ namespace Waker
          MaterialPoints<dim> &points,
          std::uint64_t       &next_id) const;
 
-    /// Corners of the opening on its face (m).
-    const Point<dim> &
-    lower() const
+    /// Where the material enters.
+    const Opening<dim> &
+    mouth() const
     {
-      return opening_lower;
-    }
-
-    const Point<dim> &
-    upper() const
-    {
-      return opening_upper;
+      return opening;
     }
 
     /// Into the box (m/s).
@@ -91,8 +85,7 @@ namespace Waker
     unsigned int   material;
     double         density;
     Variables      variables;
-    Point<dim>     opening_lower;
-    Point<dim>     opening_upper;
+    Opening<dim>   opening;
     Tensor<1, dim> inward;
   };
 } // namespace Waker

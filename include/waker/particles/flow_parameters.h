@@ -16,11 +16,52 @@ namespace Waker
 {
   using namespace dealii;
 
+  /// A part of a face of the grid's box through which material goes.
+  struct OpeningParameters
+  {
+    std::string name; // of the subsection
+    BoxFace     face = BoxFace::left;
+    /// It reaches from .. to (m), along the face's own directions only; empty:
+    /// the whole face.
+    std::vector<double> from;
+    std::vector<double> to;
+
+    /// Number of the face: 2d lower, 2d + 1 upper face in direction d.
+    unsigned int
+    face_number() const
+    {
+      return static_cast<unsigned int>(face);
+    }
+
+  protected:
+    /// @param purpose of the face, for the documentation
+    void
+    add_opening_parameters(ParameterHandler &prm, const std::string &purpose);
+
+    /// What needs no other section: face, lengths, order.
+    /// @throws UserError "<section>/<name>/..."
+    void
+    check_opening(const std::string &section, const unsigned int dim) const;
+  };
+
+
+  /// A part of a face through which points leave: subsection "Outflow/<name>".
+  struct OutletParameters : OpeningParameters
+  {
+    void
+    add_parameters(ParameterHandler &prm);
+
+    /// @throws UserError "Outflow/<name>/..."
+    void
+    check(const unsigned int dim) const;
+  };
+
+
   /// Section "Outflow".
   struct OutflowParameters
   {
     /// Faces of the grid's box through which points leave: "left, right, ...";
-    /// empty: none, and soil that gets there ends the run.
+    /// empty: none but the outlets, and soil that gets there ends the run.
     std::string faces;
 
     void
@@ -33,28 +74,15 @@ namespace Waker
   };
 
   /// Material that enters: subsection "Inflow/<name>".
-  struct InflowParameters
+  struct InflowParameters : OpeningParameters
   {
-    std::string name; // of the subsection
-    BoxFace     face = BoxFace::left;
-    std::string material; // one of Materials/Names
-    /// The opening: from .. to (m), along the face's own directions only;
-    /// empty: the whole face.
-    std::vector<double> from;
-    std::vector<double> to;
-    double              velocity = 0.; // m/s, into the box, constant
+    std::string material;      // one of Materials/Names
+    double      velocity = 0.; // m/s, into the box, constant
 
     void
     add_parameters(ParameterHandler &prm);
 
-    /// Number of the face: 2d lower, 2d + 1 upper face in direction d.
-    unsigned int
-    face_number() const
-    {
-      return static_cast<unsigned int>(face);
-    }
-
-    /// What needs no other section: face, lengths, order, velocity.
+    /// What needs no other section: opening, velocity.
     /// @throws UserError "Inflow/<name>/..."
     void
     check(const unsigned int dim) const;

@@ -7,6 +7,7 @@
 
 #include <waker/base/expression.h>
 #include <waker/grid/background_grid.h>
+#include <waker/particles/layer_body.h>
 #include <waker/particles/soil_profile.h>
 
 #include <string>
@@ -16,24 +17,14 @@ namespace Waker
 {
   /// A layer of the soil profile that has passed its checks.
   template <int dim>
-  struct Layer
+  struct Layer : LayerBody // m, inside the grid's box
   {
-    std::string  path;          // "Soil profile/<name>"
-    Polygon      corners;       // m, anticlockwise, inside the grid's box
-    double       begin    = 0.; // extent along z (m); in 2D a slice of 1 m
-    double       end      = 1.;
+    std::string  path;         // "Soil profile/<name>"
     unsigned int material = 0; // number
     /// Initial velocity (m/s), one per component; none: at rest.
     std::vector<Expression<dim>> velocity;
     /// Initial stress (kPa): xx, yy, zz, xy[, xz, yz]; none: zero.
     std::vector<Expression<dim>> stress;
-
-    /// Volume (m^dim).
-    double
-    volume() const
-    {
-      return signed_area(corners) * (end - begin);
-    }
 
     /// Initial velocity at x (m/s).
     /// @throws UserError ".../Velocity" if it is not a finite number there
@@ -47,14 +38,24 @@ namespace Waker
     stress_at(const Point<dim> &x) const;
   };
 
-  /// Corners and extent of a layer; its material, velocity and stress are left
-  /// open.
-  /// @throws UserError "Soil profile/<name>/Polygon" or ".../Extent": no simple
-  /// polygon, outside the grid's box, not two ascending numbers, extent in 2D
+  /// The body of a layer; its material, velocity and stress are left open.
+  /// @throws UserError "Soil profile/<name>/Polygon", ".../Extent", ".../Top"
+  /// or
+  /// ".../Bottom": no simple polygon, outside the grid's box, not two ascending
+  /// numbers, no height map; extent or map in 2D; maps that leave nothing
   template <int dim>
   Layer<dim>
   place_layer(const BackgroundGrid<dim> &grid,
               const LayerParameters     &parameters);
+
+  /// Heights (m) between which a layer lies: those of its polygon, or of its
+  /// maps where they bound it.
+  /// @param z_begin, z_end of the grid (m), where it has no extent of its own
+  /// @throws UserError as place_layer()
+  std::array<double, 2>
+  level_range(const LayerParameters &parameters,
+              const double           z_begin,
+              const double           z_end);
 
   /// Set the layer's material, velocity and stress.
   /// @throws UserError ".../Material": unknown; ".../Velocity", ".../Initial
@@ -65,8 +66,8 @@ namespace Waker
              const std::vector<std::string> &material_names,
              Layer<dim>                     &layer);
 
-  /// @throws UserError ".../Polygon" if two layers have more than 1e-9 of the
-  /// smaller one in common
+  /// @throws UserError ".../Polygon" (".../Top", "...Bottom") if two layers
+  /// have more than 1e-9 of the smaller one in common
   template <int dim>
   void
   check_overlap(const std::vector<Layer<dim>> &layers);

@@ -2,19 +2,17 @@
 #ifndef waker_particles_removal_h
 #define waker_particles_removal_h
 
-#include <waker/grid/background_grid.h>
 #include <waker/particles/material_points.h>
+#include <waker/particles/openings.h>
 
 #include <vector>
 
 namespace Waker
 {
-  /// The points that lie beyond an open face of the grid's box, ascending.
-  /// @param open one flag per face (2d lower, 2d + 1 upper in direction d)
+  /// The points that have passed an opening of the grid's box, ascending.
   template <int dim>
   std::vector<std::size_t>
-  points_beyond(const BackgroundGrid<dim> &grid,
-                const std::vector<bool>   &open,
+  points_beyond(const Openings<dim>       &openings,
                 const MaterialPoints<dim> &points);
 
   /// Remove points; the others keep their order.

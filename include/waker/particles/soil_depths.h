@@ -5,7 +5,7 @@
 #include <deal.II/base/point.h>
 
 #include <waker/grid/background_grid.h>
-#include <waker/particles/polygon.h>
+#include <waker/particles/layer_body.h>
 #include <waker/particles/soil_profile.h>
 
 #include <vector>
@@ -25,10 +25,11 @@ namespace Waker
   /**
    * Depths in a soil profile, before anything moves. The surface is the
    * highest edge of any layer at the place's x (3D: of the layers whose extent
-   * holds its z). The top of a layer is that edge of its polygon which a
-   * vertical line upwards from the place meets first, so that each limb of a
-   * concave layer has its own. A place outside its layer, as the centre of a
-   * row's support domain may be, has a depth of 0 in it.
+   * holds its z, below their height maps). The top of a layer is that edge of
+   * its polygon (or map) which a vertical line upwards from the place meets
+   * first, so that each limb of a concave layer has its own. A place outside
+   * its layer, as the centre of a row's support domain may be, has a depth of 0
+   * in it.
    */
   template <int dim>
   class SoilDepths
@@ -50,21 +51,26 @@ namespace Waker
     unsigned int
     n_layers() const
     {
-      return outlines.size();
+      return layer_bodies.size();
+    }
+
+    const std::vector<LayerBody> &
+    bodies() const
+    {
+      return layer_bodies;
     }
 
   private:
-    struct Outline
-    {
-      Polygon corners;    // m
-      double  begin, end; // along z, m; in 2D of no account
-    };
-
     bool
-    reaches(const Outline &outline, const Point<dim> &x) const;
+    reaches(const LayerBody &body, const Point<dim> &x) const;
 
-    std::vector<Outline> outlines;
-    double               tolerance; // m: round-off
+    /// The stretches in a body of the vertical line through x; a joint counts
+    /// with both sides.
+    std::vector<LayerBody::Stretch>
+    stretches_at(const LayerBody &body, const Point<dim> &x) const;
+
+    std::vector<LayerBody> layer_bodies; // m
+    double                 tolerance;    // m: round-off
   };
 } // namespace Waker
 

@@ -26,6 +26,10 @@ namespace Waker
     std::string polygon;
     /// 3D: from z0 to z1 (m); empty: over the whole grid.
     std::vector<double> extent;
+    /// 3D: files of height maps (m) that bound the layer, see height_map.h:
+    /// what lies above `top` or below `bottom` is no part of it. Empty: none.
+    std::string top;
+    std::string bottom;
     /// Initial velocity (m/s): per component an expression of the point's x, y,
     /// z (m), for example "0.1*sin(pi*x/50); 0". Empty: at rest.
     std::string velocity;
@@ -59,8 +63,9 @@ namespace Waker
   /// Of the points in a layer.
   enum class Placement
   {
-    sub_cells, // of the grid
-    rows       // rectangles that fill rows of sub-cells
+    sub_cells,       // of the grid, cut by the layers' edges
+    whole_sub_cells, // those that soil fills at least by half, uncut
+    rows             // rectangles that fill rows of sub-cells
   };
 
   constexpr const char *
@@ -70,6 +75,8 @@ namespace Waker
       {
         case Placement::sub_cells:
           return "sub-cells";
+        case Placement::whole_sub_cells:
+          return "whole sub-cells";
         case Placement::rows:
           return "rows";
       }
@@ -86,6 +93,8 @@ namespace Waker
     /// fullest neighbour of the same layer: its volume and first moment are
     /// kept, its point is not made. 0 to 0.5.
     double minimum_cut = 0.25;
+    /// Whole sub-cells: each that soil fills at least by half is a point with
+    /// all of its volume, as on the slope of section 6.2 of Remmerswaal 2023.
     /// Rows: rectangles that fill each row of sub-cells between the edges of
     /// the layer, whose slopes cut the middle of the outermost ones (section
     /// 3.5 of Remmerswaal 2023).
@@ -108,6 +117,10 @@ namespace Waker
    * close in memory. `mass`, `velocity`, `material` and `stress` are set;
    * acceleration and scalars are zero, empty.
    *
+   * With Placement = whole sub-cells nothing is cut: the surface is a
+   * staircase, with the volume of the points, which may differ from the
+   * profile's.
+   *
    * With Placement = rows the domains are rectangles that fill the rows of
    * sub-cells (fill_rows(); in z a layer's extent is divided likewise), each
    * point is the centre of its domain and has all of its volume. Where corners
@@ -121,8 +134,9 @@ namespace Waker
    * @throws UserError: no layers, a polygon or extent outside the grid's box
    * (margin not included), layers that overlap, an unknown material, an extent
    * or velocity of the wrong length, a velocity or stress that is no number at
-   * a point or no expression of place; rows whose volume differs by more than 1
-   * % from their profile's; and what corners() throws
+   * a point or no expression of place; rows (whole sub-cells) whose volume
+   * differs by more than 1 % (5 %) from their profile's; and what corners()
+   * throws
    */
   template <int dim>
   MaterialPoints<dim>

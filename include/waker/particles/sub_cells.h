@@ -11,14 +11,17 @@ namespace Waker
 {
   /**
    * The part of a sub-cell that lies in a layer, in units of the sub-cells:
-   * sub-cell (i, j) is the unit square from (i, j) to (i + 1, j + 1).
+   * sub-cell (i, j[, k]) is the unit square (cube) with its lower corner there.
    */
-  struct SubCellPart
+  template <int dim>
+  struct LatticePart
   {
-    std::array<int, 2> index; // i, j
-    double             share; // of the sub-cell's area; after merging also > 1
-    std::array<double, 2> centroid; // after merging also outside the sub-cell
+    std::array<int, dim>    index;    // i, j[, k]
+    double                  share;    // of the sub-cell; after merging also > 1
+    std::array<double, dim> centroid; // after merging also outside the sub-cell
   };
+
+  using SubCellPart = LatticePart<2>;
 
   /**
    * Cut the lattice of unit squares with a polygon: the parts that are not
@@ -33,13 +36,16 @@ namespace Waker
 
   /**
    * Give the parts with a share below `minimum_share` to a neighbour across a
-   * side, the one of largest share (if equal, of the nearest centroid). Area
+   * side, the one of largest share (if equal, of the nearest centroid). Volume
    * and first moment are kept. A part that still is too small goes on to its
    * own neighbour; one without a neighbour stays.
+   *
+   * @param parts lexicographically (i fastest)
    */
-  std::vector<SubCellPart>
-  merge_small_parts(const std::vector<SubCellPart> &parts,
-                    const double                    minimum_share);
+  template <int dim>
+  std::vector<LatticePart<dim>>
+  merge_small_parts(const std::vector<LatticePart<dim>> &parts,
+                    const double                         minimum_share);
 
   /// A piece of an interval: the same in one dimension.
   struct IntervalPart

@@ -27,6 +27,7 @@ namespace Waker
     std::vector<std::string> tractions;   // Tractions/Names
     std::vector<std::string> point_loads; // Point loads/Names
     std::vector<std::string> walls;       // Walls/Names
+    std::vector<std::string> outlets;     // Outflow/Names
     std::vector<std::string> inflows;     // Inflow/Names
     std::vector<std::string> fields;      // Random fields/Names
   };
