@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <waker/observers/sliding_masses.h>
-#include <waker/observers/two_means.h>
+#include <waker/measures/sliding_masses.h>
+#include <waker/measures/two_means.h>
 
 #include <algorithm>
 #include <cmath>

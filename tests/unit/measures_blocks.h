@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef waker_tests_observers_blocks_h
-#define waker_tests_observers_blocks_h
+#ifndef waker_tests_measures_blocks_h
+#define waker_tests_measures_blocks_h
 
-#include <waker/observers/crest.h>
+#include <waker/measures/crest.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef waker_observers_crest_h
-#define waker_observers_crest_h
+#ifndef waker_measures_crest_h
+#define waker_measures_crest_h
 
 #include <waker/particles/material_points.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <waker/observers/sliding_masses.h>
+#include <waker/measures/sliding_masses.h>
 #include <waker/particles/removal.h>
 
-#include "observers_blocks.h"
+#include "measures_blocks.h"
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace observers_sliding_masses
+namespace measures_sliding_masses
 {
   using namespace Waker;
 
@@ -85,7 +85,7 @@ namespace observers_sliding_masses
   } // namespace
 
 
-  TEST(Observers, two_blocks_are_split_into_stable_soil_and_a_sliding_mass)
+  TEST(Measures, two_blocks_are_split_into_stable_soil_and_a_sliding_mass)
   {
     Watched<2> block;
     EXPECT_EQ(block.sliding.whole_volume, 40.);
@@ -120,7 +120,7 @@ namespace observers_sliding_masses
   }
 
 
-  TEST(Observers, a_sliding_mass_in_space_has_a_width_and_a_place_along_z)
+  TEST(Measures, a_sliding_mass_in_space_has_a_width_and_a_place_along_z)
   {
     Watched<3> block;
     EXPECT_EQ(block.sliding.damaged_crest_width, 0.);
@@ -144,7 +144,7 @@ namespace observers_sliding_masses
   }
 
 
-  TEST(Observers, soil_is_stable_up_to_the_limit_and_not_beyond)
+  TEST(Measures, soil_is_stable_up_to_the_limit_and_not_beyond)
   {
     Watched<2>   block;
     const double beyond = std::nextafter(8.25, 9.) - 8.;
@@ -159,7 +159,7 @@ namespace observers_sliding_masses
   }
 
 
-  TEST(Observers, a_sliding_mass_stays_what_it_was)
+  TEST(Measures, a_sliding_mass_stays_what_it_was)
   {
     Watched<2> block;
     const auto front = [](const Point<2> &x) { return x[0] > 8.; };
@@ -191,7 +191,7 @@ namespace observers_sliding_masses
   }
 
 
-  TEST(Observers, no_stable_soil_has_moved_further_than_the_limit)
+  TEST(Measures, no_stable_soil_has_moved_further_than_the_limit)
   {
     // Of 0, 1 and 10 m the best two parts are 10 m and the rest.
     Watched<2> block;
@@ -216,7 +216,7 @@ namespace observers_sliding_masses
   }
 
 
-  TEST(Observers, sliding_masses_are_weighted_by_the_volume_at_the_start)
+  TEST(Measures, sliding_masses_are_weighted_by_the_volume_at_the_start)
   {
     // By numbers of points 0.3 m belongs to 0 m (0.045 against 0.245), by
     // volumes of 100, 10 and 1 to 1 m (0.818 against 0.445).
@@ -243,7 +243,7 @@ namespace observers_sliding_masses
   }
 
 
-  TEST(Observers, sliding_masses_do_not_depend_on_the_order_of_the_points)
+  TEST(Measures, sliding_masses_do_not_depend_on_the_order_of_the_points)
   {
     std::mt19937                           generator(5);
     std::uniform_real_distribution<double> random(0., 1.);
@@ -283,8 +283,7 @@ namespace observers_sliding_masses
   }
 
 
-  TEST(Observers,
-       soil_that_flows_in_is_no_sliding_mass_and_soil_that_left_stays)
+  TEST(Measures, soil_that_flows_in_is_no_sliding_mass_and_soil_that_left_stays)
   {
     Watched<2> block;
     block.put([](const Point<2> &x) { return x[0] > 8.; }, 1., 0.);
@@ -319,4 +318,4 @@ namespace observers_sliding_masses
     EXPECT_EQ(block.sliding.retrogression, 4.);
     EXPECT_EQ(points.scalar("slide").back(), 0.);
   }
-} // namespace observers_sliding_masses
+} // namespace measures_sliding_masses

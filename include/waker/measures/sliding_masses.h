@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef waker_observers_sliding_masses_h
-#define waker_observers_sliding_masses_h
+#ifndef waker_measures_sliding_masses_h
+#define waker_measures_sliding_masses_h
 
-#include <waker/observers/crest.h>
+#include <waker/measures/crest.h>
 #include <waker/particles/material_points.h>
 
 #include <array>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <waker/observers/crest.h>
+#include <waker/measures/crest.h>
 #include <waker/particles/removal.h>
 
-#include "observers_blocks.h"
+#include "measures_blocks.h"
 #include <gtest/gtest.h>
 
-namespace observers_crest
+namespace measures_crest
 {
   using namespace Waker;
 
@@ -41,7 +41,7 @@ namespace observers_crest
   } // namespace
 
 
-  TEST(Observers, retrogression_is_the_way_from_the_edge_to_stable_soil)
+  TEST(Measures, retrogression_is_the_way_from_the_edge_to_stable_soil)
   {
     const MaterialPoints<2> points = slope();
     const Crest<2>          crest(points, 1, {});
@@ -67,7 +67,7 @@ namespace observers_crest
   }
 
 
-  TEST(Observers, the_edge_of_the_crest_may_be_given)
+  TEST(Measures, the_edge_of_the_crest_may_be_given)
   {
     const MaterialPoints<2> points = slope();
     const Crest<2>          crest(points, 1, 6.);
@@ -80,7 +80,7 @@ namespace observers_crest
   }
 
 
-  TEST(Observers, a_crest_that_falls_to_the_other_side_is_the_mirror_image)
+  TEST(Measures, a_crest_that_falls_to_the_other_side_is_the_mirror_image)
   {
     MaterialPoints<2> points = slope();
     for (std::size_t q = 0; q < points.n_points(); ++q)
@@ -96,7 +96,7 @@ namespace observers_crest
   }
 
 
-  TEST(Observers, a_crest_in_space_is_damaged_along_a_width)
+  TEST(Measures, a_crest_in_space_is_damaged_along_a_width)
   {
     const MaterialPoints<3> points = block_of_points<3>();
     const Crest<3>          crest  = crest_of(points);
@@ -123,7 +123,7 @@ namespace observers_crest
   }
 
 
-  TEST(Observers, a_crest_may_be_higher_at_some_z_and_points_of_several_sizes)
+  TEST(Measures, a_crest_may_be_higher_at_some_z_and_points_of_several_sizes)
   {
     // From z = 3 on the block is 1 m lower and ends at x = 7; there each point
     // is half as long along z, from 4 m on.
@@ -153,7 +153,7 @@ namespace observers_crest
   }
 
 
-  TEST(Observers, a_crest_of_which_points_have_left_is_damaged)
+  TEST(Measures, a_crest_of_which_points_have_left_is_damaged)
   {
     MaterialPoints<3>        points = block_of_points<3>();
     const Crest<3>           crest  = crest_of(points);
@@ -167,4 +167,4 @@ namespace observers_crest
     EXPECT_EQ(here.retrogression, 1.);
     EXPECT_NEAR(here.width, 0.5, 1e-12);
   }
-} // namespace observers_crest
+} // namespace measures_crest

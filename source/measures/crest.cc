@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <waker/observers/crest.h>
+#include <waker/measures/crest.h>
 
 #include <algorithm>
 #include <cmath>
