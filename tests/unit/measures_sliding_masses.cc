@@ -181,7 +181,7 @@ namespace measures_sliding_masses
     ASSERT_EQ(block.sliding.masses.size(), 2u);
     EXPECT_EQ(block.sliding.masses[0].time, first.time);
     EXPECT_EQ(block.sliding.masses[0].volume, first.volume);
-    EXPECT_EQ(block.sliding.masses[0].centre, first.centre);
+    EXPECT_EQ(block.sliding.masses[0].centre[0], first.centre[0]);
     EXPECT_EQ(block.sliding.masses[1].time, 3.);
     EXPECT_EQ(block.sliding.masses[1].volume, 12.);
     EXPECT_EQ(block.volume(1), 8.);
