@@ -134,6 +134,12 @@ namespace Waker
     record.residual_height               = state.failure.geometry.height;
     record.inward  = moved_soil(state.points, inner_is_positive);
     record.outward = moved_soil(state.points, !inner_is_positive);
+    if (!std::isnan(state.failure.geometry.width_z))
+      record.residual_width_z = state.failure.geometry.width_z;
+    if (!std::isnan(state.failure.geometry.height_z))
+      record.residual_height_z = state.failure.geometry.height_z;
+    if (the_case.parameters.sliding.watch)
+      record.sliding_masses = state.sliding;
     record.steps += state.step;
     record.newton_iterations += state.newton_iterations;
     record.linear_iterations += state.linear_iterations;

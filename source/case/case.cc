@@ -88,6 +88,11 @@ namespace Waker
       .set(layers_of_points, initial_points);
     prepare_domains(p.mapping.domains, initial_points);
     check_run_sizes(run_sizes(*this), p);
+    if constexpr (dim == 3)
+      if (!p.surface.prismatic)
+        sections = dyke_sections(grid, initial_points);
+    if (p.sliding.watch)
+      initial_crest(*this); // can it be found?
     set_initial_state();
   }
 
@@ -123,8 +128,7 @@ namespace Waker
       return text.str();
     };
     const bool         has_water = parameters.water.stands();
-    const DykeGeometry dyke =
-      measure_dyke(scene.surfaces.section(), parameters.water.level);
+    const DykeGeometry dyke      = scene.measure_dyke(parameters.water.level);
     if (dyke.width > 0.)
       {
         const double water = scene.water_level(0.);

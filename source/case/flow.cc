@@ -154,11 +154,7 @@ namespace Waker
   {
     const std::string  path = "Inflow/" + inflow.name + "/Face";
     const unsigned int m    = material_number(inflow, parameters.materials);
-    if (!scheme.is_implicit)
-      throw UserError("Time stepping/Scheme",
-                      std::string("is ") + name_of(parameters.time.scheme) +
-                        ", but there is an inflow",
-                      "Newmark or quasi-static");
+    require_implicit(parameters.time, "there is an inflow");
     typename Feeder<dim>::Variables variables;
     for (const MaterialVariable &variable : (*materials)[m]->variables())
       {

@@ -316,6 +316,7 @@ namespace Waker
     check_time_scheme(time, gravity, mapping);
     newton.check();
     initial_failure.check();
+    sliding.check();
     stop.check();
     strength_reduction.check();
     output.check();

@@ -134,6 +134,19 @@ namespace Waker
 
 
   template <int dim>
+  DykeGeometry
+  Scene<dim>::measure_dyke(const double level)
+  {
+    if constexpr (dim == 3)
+      if (!the_case->sections.empty())
+        return Waker::measure_dyke(surfaces.facets(),
+                                   the_case->sections,
+                                   level);
+    return Waker::measure_dyke(surfaces.section(), level);
+  }
+
+
+  template <int dim>
   bool
   Scene<dim>::loads_move() const
   {

@@ -48,7 +48,7 @@ namespace Waker
       array(archive, state.wall_tractions);
       archive &state.tractions;
       archive &state.time &state.step &state.flow &state.energy &state
-        .failure &state.rest &state.mean_plastic_strain &state
+        .failure &state.sliding &state.rest &state.mean_plastic_strain &state
         .displacement_rate &state.last_dt &state.halvings &state
         .steps_since_change &state.newton_iterations &state
         .linear_iterations                           &state.unconverged_steps;
@@ -83,7 +83,9 @@ namespace Waker
   initial_state(const Case<dim> &the_case)
   {
     State<dim> state;
-    state.points               = the_case.initial_points;
+    state.points = the_case.initial_points;
+    if (the_case.parameters.sliding.watch)
+      SlidingMassFinder<dim>::start(state.points);
     state.surface_vertices     = initial_vertices(the_case);
     state.wall_tractions       = the_case.initial_wall_tractions;
     state.energy.kinetic_start = kinetic_energy(state.points);

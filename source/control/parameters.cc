@@ -53,6 +53,55 @@ namespace Waker
 
 
   void
+  SlidingMassParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Watch",
+                      watch,
+                      "Split the soil into stable soil and sliding masses "
+                      "while the run goes on, and record them.",
+                      Patterns::Bool());
+    prm.add_parameter("Displacement",
+                      displacement,
+                      "A slide has happened when soil that was stable so far "
+                      "has moved further than this (m) since t = 0; above 0. "
+                      "The stable soil is then split in two by its "
+                      "displacements, and the part that has moved further "
+                      "stays a sliding mass.",
+                      Patterns::Double(0.));
+    prm.add_parameter("Crest edge",
+                      crest_edge,
+                      "x (m) from which the retrogression distance is "
+                      "measured. \"detected\": the end of the highest row of "
+                      "points at t = 0, in 3D at each z, on the side away from "
+                      "the water (without water, of positive x).",
+                      NumberOrWordPattern("detected"));
+  }
+
+
+  void
+  SlidingMassParameters::check() const
+  {
+    require_positive("Sliding masses/Displacement", displacement);
+    given_edge();
+  }
+
+
+  std::optional<double>
+  SlidingMassParameters::given_edge() const
+  {
+    const std::string text = tidy(crest_edge);
+    if (text == "detected")
+      return {};
+    const std::optional<double> x = plain_number(text);
+    if (!x)
+      throw UserError("Sliding masses/Crest edge",
+                      "is \"" + text + "\"",
+                      "a number (m), or detected");
+    return x;
+  }
+
+
+  void
   StopParameters::add_parameters(ParameterHandler &prm)
   {
     prm.add_parameter("On flooding",

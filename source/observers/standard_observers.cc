@@ -41,6 +41,11 @@ namespace Waker
         row.add("Dyke height H (m)", dyke.height);
         row.add("Dyke width W (m)", dyke.width);
         row.add("Parts at the water level", dyke.parts.size());
+        if (!view.the_case.sections.empty())
+          {
+            row.add("z of H (m)", dyke.height_z);
+            row.add("z of W (m)", dyke.width_z);
+          }
         row.add("Mean plastic strain increment",
                 view.report.mean_plastic_strain);
         row.add("Displacement rate, rms (m/s)", view.report.displacement_rate);
@@ -99,6 +104,28 @@ namespace Waker
 
     private:
       std::string names[3][dim];
+    };
+
+
+    /// Slides, and what they have left; no columns if nobody watches them.
+    template <int dim>
+    class SlidingObserver : public Observer<dim>
+    {
+    public:
+      void
+      observe(const StepView<dim> &view, Row &row) override
+      {
+        if (!view.the_case.parameters.sliding.watch)
+          return;
+        const SlidingMasses &sliding = view.state.sliding;
+        row.add("Sliding masses", sliding.masses.size());
+        row.add("Relative failure volume", sliding.relative_failure_volume());
+        row.add("Largest displacement of stable soil (m)",
+                sliding.largest_displacement);
+        row.add("Retrogression distance (m)", sliding.retrogression);
+        if (dim == 3)
+          row.add("Damaged crest width (m)", sliding.damaged_crest_width);
+      }
     };
 
 
@@ -208,6 +235,7 @@ namespace Waker
     observers.push_back(std::make_unique<DykeObserver<dim>>());
     observers.push_back(std::make_unique<EnergyObserver<dim>>());
     observers.push_back(std::make_unique<ForceObserver<dim>>());
+    observers.push_back(std::make_unique<SlidingObserver<dim>>());
     observers.push_back(std::make_unique<WallObserver<dim>>());
     observers.push_back(std::make_unique<TractionObserver<dim>>());
     observers.push_back(std::make_unique<FlowObserver<dim>>());

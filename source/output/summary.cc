@@ -108,6 +108,52 @@ namespace Waker
     }
 
 
+    Json
+    to_json(const std::optional<SlidingMasses> &sliding)
+    {
+      if (!sliding)
+        return nullptr;
+      const auto object_of = [](const auto &numbers) {
+        Json json = Json::object();
+        numbers.for_each_number(numbers,
+                                [&](const char *const name,
+                                    const double      number,
+                                    SlidingQuantity) {
+                                  json[name] = to_json(number);
+                                });
+        return json;
+      };
+      Json json = object_of(*sliding);
+      json["relative_failure_volume"] =
+        to_json(sliding->relative_failure_volume());
+      json["masses"] = Json::array();
+      for (const SlidingMass &mass : sliding->masses)
+        json["masses"].push_back(object_of(mass));
+      return json;
+    }
+
+
+    void
+    from_json(const Json &json, std::optional<SlidingMasses> &sliding)
+    {
+      sliding.reset();
+      if (json.is_null())
+        return;
+      const auto read = [](const Json &object, auto &numbers) {
+        numbers.for_each_number(numbers,
+                                [&](const char *const name,
+                                    double           &number,
+                                    SlidingQuantity) {
+                                  from_json(object.at(name), number);
+                                });
+      };
+      sliding.emplace();
+      read(json, *sliding);
+      for (const Json &object : json.at("masses"))
+        read(object, sliding->masses.emplace_back());
+    }
+
+
     /// Call f(key, member) for each member that older summaries do not have.
     template <typename Self, typename Function>
     void
@@ -118,6 +164,9 @@ namespace Waker
       f("slope", s.slope);
       f("inner_slide", s.inner_slide);
       f("outer_slide", s.outer_slide);
+      f("sliding_masses", s.sliding_masses);
+      f("residual_width_z", s.residual_width_z);
+      f("residual_height_z", s.residual_height_z);
     }
 
 

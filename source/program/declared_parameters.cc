@@ -195,6 +195,7 @@ namespace Waker
     declare_section(prm, "Time stepping", parameters.time);
     declare_section(prm, "Newton", parameters.newton);
     declare_section(prm, "Initial failure", parameters.initial_failure);
+    declare_section(prm, "Sliding masses", parameters.sliding);
     declare_section(prm, "Stop rules", parameters.stop);
     declare_section(prm, "Strength reduction", parameters.strength_reduction);
     declare_named(prm,

@@ -26,6 +26,11 @@ namespace Waker
                          the_case.full_node_mass,
                          scene.resistances()}))
   {
+    const SlidingMassParameters &sliding = the_case.parameters.sliding;
+    if (sliding.watch)
+      slides.emplace(the_case.initial_points,
+                     initial_crest(the_case),
+                     sliding.displacement);
     report.kinetic_energy = state.energy.kinetic;
     report.elastic_energy = state.energy.elastic;
   }
@@ -80,8 +85,7 @@ namespace Waker
     // The width is measured at one level all the time: a rise of the water is
     // no failure.
     const Parameters &parameters = the_case->parameters;
-    state->failure.update(measure_dyke(scene.surfaces.section(),
-                                       the_case->measuring_level),
+    state->failure.update(scene.measure_dyke(the_case->measuring_level),
                           state->time,
                           scene.water_level(state->time),
                           parameters.water.stands(),
@@ -91,6 +95,8 @@ namespace Waker
                                 parameters.water.inner_direction(),
                                 state->time,
                                 parameters.initial_failure.limits);
+    if (slides)
+      slides->update(state->time, state->points, state->sliding);
   }
 
 

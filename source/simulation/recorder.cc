@@ -28,7 +28,7 @@ namespace Waker
     struct Progress
     {
       /// Raised when what is stored, or in State, changes.
-      static constexpr unsigned int this_layout = 2;
+      static constexpr unsigned int this_layout = 3;
 
       std::string           state;
       StopParameters        stop; // by which state.rest was found
@@ -74,6 +74,13 @@ namespace Waker
     time_or_nothing(const double time)
     {
       return time >= 0. ? std::optional<double>(time) : std::nullopt;
+    }
+
+
+    std::optional<double>
+    z_or_nothing(const double z)
+    {
+      return std::isnan(z) ? std::nullopt : std::optional<double>(z);
     }
 
 
@@ -333,10 +340,14 @@ namespace Waker
     summary.slope             = name_of(state.failure.slope());
     summary.inner_slide       = slide_or_nothing(state.failure.inner_slide);
     summary.outer_slide       = slide_or_nothing(state.failure.outer_slide);
+    if (parameters->sliding.watch)
+      summary.sliding_masses = state.sliding;
     summary.flooding_time     = time_or_nothing(state.failure.flooding_time);
     summary.initial_width     = state.failure.initial_width;
     summary.residual_width    = state.failure.geometry.width;
     summary.residual_height   = state.failure.geometry.height;
+    summary.residual_width_z  = z_or_nothing(state.failure.geometry.width_z);
+    summary.residual_height_z = z_or_nothing(state.failure.geometry.height_z);
     summary.end_time          = state.time;
     summary.steps             = state.step;
     summary.newton_iterations = state.newton_iterations;

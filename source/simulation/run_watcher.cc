@@ -61,6 +61,36 @@ namespace Waker
     }
 
 
+    /// What broke loose, for the log.
+    template <int dim>
+    std::string
+    sliding_text(const std::size_t k, const SlidingMasses &sliding)
+    {
+      const SlidingMass &mass = sliding.masses[k];
+      char               text[200];
+      char               along_z[60] = "";
+      if (dim == 3)
+        std::snprintf(along_z,
+                      sizeof along_z,
+                      ", z from %.2f to %.2f m",
+                      mass.lower[2],
+                      mass.upper[2]);
+      std::snprintf(text,
+                    sizeof text,
+                    "t = %.3f s: sliding mass %zu (%.3g m^%d, %.1f %% of the "
+                    "body; x from %.2f to %.2f m%s)",
+                    mass.time,
+                    k + 1,
+                    mass.volume,
+                    dim,
+                    100. * mass.volume / sliding.whole_volume,
+                    mass.lower[0],
+                    mass.upper[0],
+                    along_z);
+      return text;
+    }
+
+
     /// Warn of what has just happened to the tractions: it is in the summary,
     /// too.
     void
@@ -111,6 +141,7 @@ namespace Waker
     , recorder(recorder)
     , log(log)
     , failure(state.failure)
+    , n_sliding_masses(state.sliding.masses.size())
     , tractions(state.tractions)
     , is_new(!resumed)
     , unconverged(state.unconverged_steps)
@@ -123,8 +154,11 @@ namespace Waker
   {
     report_events(failure, state.failure, log);
     report_tractions(parameters.tractions, tractions, state.tractions, log);
-    failure   = state.failure;
-    tractions = state.tractions;
+    for (std::size_t k = n_sliding_masses; k < state.sliding.masses.size(); ++k)
+      log.line(sliding_text<dim>(k, state.sliding));
+    failure          = state.failure;
+    n_sliding_masses = state.sliding.masses.size();
+    tractions        = state.tractions;
     if (is_new)
       {
         recorder.record(realisation.view(), stop != StopReason::none);

@@ -39,6 +39,7 @@ namespace Waker
 
     // As of the moment before.
     FailureRecord               failure;
+    std::size_t                 n_sliding_masses;
     std::vector<TractionRecord> tractions;
 
     bool          is_new;       // this moment is not in the files yet

@@ -40,6 +40,8 @@ namespace Waker
                            "still_moving,loads_change,at_box";
       add_titles(count_columns, titles);
       add_titles(real_columns, titles);
+      add_titles(sliding_columns, titles);
+      add_titles(sliding_count_columns, titles);
       add_titles(work_columns, titles);
       CsvTable table(titles);
       for (std::size_t s = 0; s < scenarios.size(); ++s)
@@ -72,6 +74,8 @@ namespace Waker
                              : std::string());
               add_cells(count_columns, analysed, table);
               add_cells(real_columns, analysed, table);
+              add_cells(sliding_columns, analysed, table);
+              add_cells(sliding_count_columns, analysed, table);
               add_cells(work_columns, analysed, table);
             }
         }

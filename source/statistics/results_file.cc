@@ -30,7 +30,16 @@ namespace Waker
       std::vector<std::size_t>    places; // of each record
       std::size_t                 n_places = 0;
       std::size_t                 n_slides = 1; // at most
+      std::size_t                 n_masses = 1; // at most
     };
+
+
+    const std::vector<SlidingMass> &
+    masses_of(const Record &record)
+    {
+      static const std::vector<SlidingMass> none;
+      return record.sliding_masses ? record.sliding_masses->masses : none;
+    }
 
 
     Table
@@ -77,6 +86,7 @@ namespace Waker
                      slides,
                      info.scenarios[record.scenario].base_level);
           table.n_slides = std::max(table.n_slides, slides.size());
+          table.n_masses = std::max(table.n_masses, masses_of(record).size());
           table.records.push_back({&record, std::move(slides), failure_class});
           table.places.push_back(place);
         }
@@ -135,22 +145,28 @@ namespace Waker
     }
 
 
+    /// What there are several of in a realisation.
+    /// @param items_of an analysed record, a vector
+    template <typename Item, typename Function>
     void
-    write_slides(Hdf5File &file, const Table &table)
+    write_items(Hdf5File                                &file,
+                const Table                             &table,
+                const std::string                       &dimension,
+                const std::size_t                        n_items,
+                const std::vector<Column<Item, double>> &columns,
+                const Function                          &items_of)
     {
-      for (const auto &column : slide_columns)
+      for (const auto &column : columns)
         {
-          std::vector<double> values(table.n_places * table.n_slides,
-                                     missing<double>);
+          std::vector<double> values(table.n_places * n_items, missing<double>);
           for (std::size_t i = 0; i < table.records.size(); ++i)
             {
-              const std::vector<Slide> &slides = table.records[i].slides;
-              for (std::size_t j = 0; j < slides.size(); ++j)
-                values[table.places[i] * table.n_slides + j] =
-                  column.value(slides[j]);
+              const std::vector<Item> &items = items_of(table.records[i]);
+              for (std::size_t j = 0; j < items.size(); ++j)
+                values[table.places[i] * n_items + j] = column.value(items[j]);
             }
           file.write_variable(column.name,
-                              {"scenario", "realisation", "slide"},
+                              {"scenario", "realisation", dimension},
                               values,
                               describe(column));
         }
@@ -190,25 +206,38 @@ namespace Waker
 
       std::vector<std::int32_t> scenarios(info.scenarios.size());
       std::iota(scenarios.begin(), scenarios.end(), 0);
-      std::vector<std::int32_t> slide_numbers(table.n_slides);
-      std::iota(slide_numbers.begin(), slide_numbers.end(), 0);
+      const auto write_numbers = [&](const std::string &name,
+                                     const std::size_t  n,
+                                     const std::string &long_name) {
+        std::vector<std::int32_t> numbers(n);
+        std::iota(numbers.begin(), numbers.end(), 0);
+        file.write_dimension(name, numbers, describe("1", long_name));
+      };
       file.write_dimension("scenario",
                            scenarios,
                            describe("1", "number of the scenario"));
       file.write_dimension("realisation",
                            table.realisations,
                            describe("1", "number of the realisation"));
-      file.write_dimension("slide",
-                           slide_numbers,
-                           describe("1", "number of the slide"));
+      write_numbers("slide", table.n_slides, "number of the slide");
+      write_numbers("mass", table.n_masses, "number of the sliding mass");
 
       write_scenarios(file, info);
       write_estimates(file, info, records);
       write_columns(file, table, flag_columns);
       write_columns(file, table, count_columns);
       write_columns(file, table, real_columns);
+      write_columns(file, table, sliding_columns);
+      write_columns(file, table, sliding_count_columns);
       write_columns(file, table, work_columns);
-      write_slides(file, table);
+      write_items(
+        file, table, "slide", table.n_slides, slide_columns, [
+        ](const AnalysedRecord &a) -> const auto & { return a.slides; });
+      write_items(
+        file, table, "mass", table.n_masses, mass_columns, [
+        ](const AnalysedRecord &a) -> const auto & {
+          return masses_of(*a.record);
+        });
       return file.close();
     }
   } // namespace

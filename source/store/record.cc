@@ -44,6 +44,9 @@ namespace Waker
       f("trace", s.trace, any);
       f("inner_slide", s.inner_slide, any);
       f("outer_slide", s.outer_slide, any);
+      f("sliding_masses", s.sliding_masses, any);
+      f("residual_width_z", s.residual_width_z, length);
+      f("residual_height_z", s.residual_height_z, length);
     }
 
 

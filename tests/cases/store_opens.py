@@ -16,6 +16,7 @@ import xarray
 
 PLANE = ("scenario", "realisation")
 SPACE = PLANE + ("slide",)
+MASSES = PLANE + ("mass",)
 MOVED = [f"{first}{way}_{what}" for first in ("", "first_")
          for way in ("inward", "outward") for what in ("area", "dx", "dy")]
 PROBABILITIES = ("P_S1", "P_F", "P_F_given_S1", "P_S1_geometry", "P_S1_thesis",
@@ -33,7 +34,9 @@ VARIABLES = {
        for name in PROBABILITIES for end in ("", "_low", "_high", "_kind")},
     **{name: (PLANE, "i1", "1") for name in (
         "outcome", "failure_class", "still_moving", "loads_change", "at_box")},
-    **{name: (PLANE, "i4", "1") for name in ("attempts", "n_slides")},
+    **{name: (PLANE, "i4", "1") for name in (
+        "attempts", "n_slides", "n_masses", "n_masses_remnant", "n_masses_side",
+        "n_masses_behind_centred", "n_masses_behind_off_centre")},
     **{name: (PLANE, "i8", "1")
        for name in ("steps", "newton_iterations", "linear_iterations",
                     "unconverged_steps")},
@@ -54,8 +57,20 @@ VARIABLES = {
     **{name: (PLANE, "f8", "kPa") for name in ("mean_strength", "least_strength")},
     **{name: (SPACE, "f8", "s") for name in ("slide_start", "slide_end")},
     **{name: (SPACE, "f8", "m") for name in ("slide_width", "slide_height")},
+    **{name: (PLANE, "f8", "m3") for name in (
+        "body_volume", "stable_volume", "first_mass_volume")},
+    **{name: (PLANE, "f8", "m") for name in (
+        "retrogression_distance", "damaged_crest_width", "first_mass_width",
+        "residual_width_z", "residual_height_z")},
+    "relative_failure_volume": (PLANE, "f8", "1"),
+    "first_mass_time": (PLANE, "f8", "s"),
+    "mass_time": (MASSES, "f8", "s"),
+    "mass_volume": (MASSES, "f8", "m3"),
+    **{"mass_" + name: (MASSES, "f8", "m") for name in (
+        "width", "x", "y", "z", "x_from", "x_to", "z_from", "z_to")},
 }
-DIMENSIONS = {"scenario": "i4", "realisation": "i8", "slide": "i4"}
+DIMENSIONS = {"scenario": "i4", "realisation": "i8", "slide": "i4",
+              "mass": "i4"}
 ATTRIBUTES = {
     **{name: str for name in ("Conventions", "title", "version", "compiler",
                               "build_flags", "parameters_hash", "parameters",

@@ -110,8 +110,19 @@ namespace case_state
       state.failure.flooding_time       = 15.5;
       fill(state.failure.inner_slide, 230.);
       fill(state.failure.outer_slide, 250.);
-      state.failure.geometry.height = 16.5;
-      state.failure.geometry.width  = 17.5;
+      state.failure.geometry.height   = 16.5;
+      state.failure.geometry.width    = 17.5;
+      state.failure.geometry.height_z = 18.5;
+      state.failure.geometry.width_z  = 19.5;
+
+      state.sliding.masses.resize(2);
+      double     next = 300.;
+      const auto set  = [&](const char *, double &number, SlidingQuantity) {
+        number = ++next;
+      };
+      SlidingMasses::for_each_number(state.sliding, set);
+      for (SlidingMass &mass : state.sliding.masses)
+        SlidingMass::for_each_number(mass, set);
 
       State<dim> copy;
       copy.read(state.write());
@@ -156,6 +167,18 @@ namespace case_state
       EXPECT_EQ(copy.failure.flooding_time, 15.5);
       EXPECT_EQ(copy.failure.geometry.height, 16.5);
       EXPECT_EQ(copy.failure.geometry.width, 17.5);
+      EXPECT_EQ(copy.failure.geometry.height_z, 18.5);
+      EXPECT_EQ(copy.failure.geometry.width_z, 19.5);
+      next = 300.;
+      const auto expect =
+        [&](const char *const name, const double number, SlidingQuantity) {
+          EXPECT_EQ(number, ++next) << name;
+        };
+      SlidingMasses::for_each_number(copy.sliding, expect);
+      ASSERT_EQ(copy.sliding.masses.size(), 2u);
+      for (const SlidingMass &mass : copy.sliding.masses)
+        SlidingMass::for_each_number(mass, expect);
+      EXPECT_GT(next, 320.);
 
       ASSERT_EQ(copy.points.n_points(), 3u);
       std::vector<std::string> bytes;

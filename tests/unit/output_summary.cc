@@ -2,6 +2,7 @@
 #include <waker/base/errors.h>
 #include <waker/output/summary.h>
 
+#include "store_records.h"
 #include "output_temporary_folder.h"
 #include "user_errors.h"
 #include <gtest/gtest.h>
@@ -33,6 +34,8 @@ namespace Waker::output_summary
     summary.steps                = 9007199254740993; // no double holds it
     summary.unconverged_steps    = 2;
     summary.parameters_hash      = "abc";
+    summary.sliding_masses       = synthetic_masses(3);
+    summary.residual_width_z     = 1. / 3.;
     summary.write(folder.file("summary.json"));
 
     const Summary read = Summary::read(folder.file("summary.json"));
@@ -46,6 +49,14 @@ namespace Waker::output_summary
     EXPECT_EQ(read.steps, summary.steps);
     EXPECT_EQ(read.unconverged_steps, 2u);
     EXPECT_EQ(read.parameters_hash, "abc");
+    EXPECT_EQ(read.residual_width_z, 1. / 3.);
+    EXPECT_FALSE(read.residual_height_z.has_value());
+    ASSERT_TRUE(read.sliding_masses.has_value());
+    EXPECT_EQ(read.sliding_masses->failed_volume, 0.1 + 0.2);
+    ASSERT_EQ(read.sliding_masses->masses.size(), 2u);
+    EXPECT_EQ(read.sliding_masses->masses[1].upper,
+              summary.sliding_masses->masses[1].upper);
+    EXPECT_EQ(read.sliding_masses->masses[1].width, 0.7);
     EXPECT_FALSE(read.version.empty());
     EXPECT_FALSE(read.compiler.empty());
     EXPECT_TRUE(

@@ -221,6 +221,7 @@ namespace program_input
                              "Stop rules/Rest velocity",
                              "Stop rules/Rest duration",
                              "Initial failure/Width change",
+                             "Sliding masses/Displacement",
                              "Strength reduction/Tolerance",
                              "Strength reduction/Lower factor"})
       expect_override_error(path, "0", std::string(path) + ": is 0", "above 0");

@@ -245,6 +245,59 @@ namespace Waker::statistics_results_file
   }
 
 
+  TEST(Reliability, store_holds_sliding_masses_and_pads_them)
+  {
+    const TemporaryFolder folder;
+    std::vector<Record>   records = six_records();
+    records[1].sliding_masses     = synthetic_masses(3); // realisation 1
+    records[2].sliding_masses     = SlidingMasses();
+    records[2].sliding_masses->whole_volume = 24.25;
+    write(folder.file("results.h5"), records);
+    const OpenStore store(folder.file("results.h5"));
+    ASSERT_EQ(store.sizes("mass_time"), (std::vector<hsize_t>{2, 5, 2}));
+    const SlidingMasses masses = synthetic_masses(3);
+    for (const std::size_t j : {0, 1})
+      {
+        const SlidingMass &mass = masses.masses[j];
+        EXPECT_EQ(store.values("mass_time")[2 * 1 + j], mass.time);
+        EXPECT_EQ(store.values("mass_volume")[2 * 1 + j], mass.volume);
+        EXPECT_EQ(store.values("mass_width")[2 * 1 + j], mass.width);
+        EXPECT_EQ(store.values("mass_x")[2 * 1 + j], mass.centre[0]);
+        EXPECT_EQ(store.values("mass_y")[2 * 1 + j], mass.centre[1]);
+        EXPECT_EQ(store.values("mass_z")[2 * 1 + j], mass.centre[2]);
+        EXPECT_EQ(store.values("mass_x_from")[2 * 1 + j], mass.lower[0]);
+        EXPECT_EQ(store.values("mass_x_to")[2 * 1 + j], mass.upper[0]);
+        EXPECT_EQ(store.values("mass_z_from")[2 * 1 + j], mass.lower[2]);
+        EXPECT_EQ(store.values("mass_z_to")[2 * 1 + j], mass.upper[2]);
+        EXPECT_TRUE(std::isnan(store.values("mass_time")[2 * 2 + j]));
+      }
+    const double volume = masses.failed_volume;
+    EXPECT_EQ(store.values("body_volume")[1], 24.25);
+    EXPECT_EQ(store.values("stable_volume")[1], 24.25 - volume);
+    EXPECT_EQ(store.values("relative_failure_volume")[1], volume / 24.25);
+    EXPECT_EQ(store.values("retrogression_distance")[1], masses.retrogression);
+    EXPECT_EQ(store.values("damaged_crest_width")[1], 4.25);
+    EXPECT_EQ(store.values("first_mass_time")[1], masses.masses[0].time);
+    EXPECT_EQ(store.values("first_mass_volume")[1], masses.masses[0].volume);
+    EXPECT_EQ(store.values("first_mass_width")[1], 0.7);
+    EXPECT_EQ(store.values("n_masses")[1], 2.);
+    // Its offset is 1 m back, of a half length of 4/7 m.
+    EXPECT_EQ(store.values("n_masses_behind_off_centre")[1] +
+                store.values("n_masses_side")[1],
+              1.);
+    // Nothing has slid; nobody knows; not run.
+    EXPECT_EQ(store.values("n_masses")[2], 0.);
+    EXPECT_EQ(store.values("relative_failure_volume")[2], 0.);
+    EXPECT_TRUE(std::isnan(store.values("first_mass_time")[2]));
+    for (const std::size_t at : {0, 5})
+      {
+        EXPECT_EQ(store.values("n_masses")[at], -1.);
+        EXPECT_EQ(store.values("n_masses_side")[at], -1.);
+        EXPECT_TRUE(std::isnan(store.values("relative_failure_volume")[at]));
+      }
+  }
+
+
   TEST(Reliability, store_says_what_is_missing)
   {
     const TemporaryFolder folder;

@@ -51,14 +51,16 @@ namespace Waker::store_record
           return std::ldexp(static_cast<double>(generator()) - 9e18,
                             static_cast<int>(exponent(generator)));
         };
-        record.realisation    = generator() % 1000000000000000;
-        record.outcome        = static_cast<Outcome>(i % 4);
-        record.mean_strength  = number();
-        record.residual_width = 0.1 + 0.2;
-        record.wall_time      = std::abs(number());
-        record.field_time     = std::abs(number());
-        record.outward        = {std::abs(number()), -0., number()};
-        record.trace[1].time  = std::abs(number());
+        record.realisation       = generator() % 1000000000000000;
+        record.outcome           = static_cast<Outcome>(i % 4);
+        record.mean_strength     = number();
+        record.residual_width    = 0.1 + 0.2;
+        record.residual_width_z  = 1. / 3.;
+        record.residual_height_z = -0.1;
+        record.wall_time         = std::abs(number());
+        record.field_time        = std::abs(number());
+        record.outward           = {std::abs(number()), -0., number()};
+        record.trace[1].time     = std::abs(number());
 
         const Record copy = record_from_json(to_json(record));
         EXPECT_EQ(to_json(copy), to_json(record));
@@ -68,6 +70,8 @@ namespace Waker::store_record
         EXPECT_EQ(copy.stop_reason, record.stop_reason);
         EXPECT_EQ(copy.mean_strength, record.mean_strength);
         EXPECT_EQ(copy.residual_width, record.residual_width);
+        EXPECT_EQ(copy.residual_width_z, record.residual_width_z);
+        EXPECT_EQ(copy.residual_height_z, record.residual_height_z);
         EXPECT_EQ(copy.wall_time, record.wall_time);
         EXPECT_EQ(copy.field_time, record.field_time);
         EXPECT_EQ(copy.outward.area, record.outward.area);
@@ -109,6 +113,75 @@ namespace Waker::store_record
   }
 
 
+  TEST(Reliability, record_keeps_the_sliding_masses)
+  {
+    Record      record = synthetic_record(0, 1);
+    std::size_t last   = fingerprint(record);
+    // They were not watched: nothing is written of them.
+    EXPECT_EQ(to_json(record).find("sliding"), std::string::npos);
+    EXPECT_FALSE(record_from_json(to_json(record)).sliding_masses);
+    SlidingMasses none;
+    none.whole_volume = 24.25;
+    for (const SlidingMasses &sliding :
+         {none, synthetic_masses(2), synthetic_masses(3)})
+      {
+        record.sliding_masses = sliding;
+        const Record copy     = record_from_json(to_json(record));
+        EXPECT_EQ(to_json(copy), to_json(record));
+        EXPECT_EQ(fingerprint(copy), fingerprint(record));
+        EXPECT_NE(fingerprint(record), last);
+        last = fingerprint(record);
+        ASSERT_TRUE(copy.sliding_masses);
+        EXPECT_EQ(copy.sliding_masses->failed_volume, sliding.failed_volume);
+        EXPECT_EQ(copy.sliding_masses->retrogression, sliding.retrogression);
+        ASSERT_EQ(copy.sliding_masses->masses.size(), sliding.masses.size());
+        for (std::size_t k = 0; k < sliding.masses.size(); ++k)
+          {
+            const SlidingMass &mass = copy.sliding_masses->masses[k];
+            EXPECT_EQ(mass.time, sliding.masses[k].time);
+            EXPECT_EQ(mass.upper[0], sliding.masses[k].upper[0]);
+            EXPECT_EQ(std::isnan(mass.width),
+                      std::isnan(sliding.masses[k].width));
+          }
+      }
+    // Each number counts.
+    Record other = record;
+    SlidingMasses::for_each_number(
+      *other.sliding_masses,
+      [&](const char *const name, double &number, SlidingQuantity) {
+        const double before = number;
+        number              = -0.5;
+        EXPECT_NE(fingerprint(other), last) << name;
+        number = before;
+      });
+    SlidingMass::for_each_number(other.sliding_masses->masses[1],
+                                 [&](const char *const name,
+                                     double           &number,
+                                     SlidingQuantity) {
+                                   const double before = number;
+                                   number              = -0.5;
+                                   EXPECT_NE(fingerprint(other), last) << name;
+                                   number = before;
+                                 });
+    EXPECT_EQ(fingerprint(other), last);
+
+    const std::string line = to_json(record);
+    const std::string key  = "\"sliding_masses\" ";
+    EXPECT_EQ(problem(replaced(line, "\"whole_volume\":24.25,", "")),
+              key + "has no \"whole_volume\"");
+    EXPECT_EQ(problem(replaced(line, "24.25", "-24.25")),
+              key + "is -24.25, outside of 0 to 1e+12");
+    EXPECT_EQ(problem(replaced(line, "\"width\":[0.7,0.7]", "\"width\":[0.7]")),
+              key + "has lists of different lengths");
+    EXPECT_EQ(problem(replaced(line, "\"width\":[0.7,0.7],", "")),
+              key + "has no \"width\"");
+    EXPECT_EQ(problem(replaced(line, "[1.5,1.6]", "1.5")),
+              key + "has masses that are no lists");
+    EXPECT_EQ(problem(replaced(line, "\"direction\":1.0", "\"direction\":7")),
+              key + "is 7, outside of -1 to 1");
+  }
+
+
   // Journals of schema version 1 stay readable: change this line never.
   TEST(Reliability, record_of_schema_1_is_read)
   {
@@ -138,6 +211,8 @@ namespace Waker::store_record
     EXPECT_EQ(record.first_outward.dy, 0.25);
     EXPECT_EQ(record.least_strength, 6.5);
     EXPECT_FALSE(record.unrest); // came later
+    EXPECT_FALSE(record.sliding_masses);
+    EXPECT_FALSE(record.residual_width_z || record.residual_height_z);
     EXPECT_EQ(record.steps, 245u);
     EXPECT_EQ(record.unconverged_steps, 1u);
     ASSERT_EQ(record.trace.size(), 2u);

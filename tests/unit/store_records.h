@@ -52,6 +52,35 @@ namespace Waker
   }
 
 
+  /// Two slides of a slope in 3D, or of one in the plane.
+  inline SlidingMasses
+  synthetic_masses(const unsigned int dim)
+  {
+    SlidingMasses sliding;
+    sliding.whole_volume         = 24.25;
+    sliding.failed_volume        = 0.1 + 0.2; // more digits than it prints
+    sliding.retrogression        = 1. / 3.;
+    sliding.largest_displacement = 0.125;
+    if (dim == 3)
+      sliding.damaged_crest_width = 4.25;
+    for (unsigned int k = 0; k < 2; ++k)
+      {
+        SlidingMass &mass = sliding.masses.emplace_back();
+        mass.time         = 1.5 + 0.1 * k;
+        mass.volume       = 0.2 - 0.1 * k;
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            mass.centre[d] = 1.5 * d - k;
+            mass.lower[d]  = mass.centre[d] - 1. / 7.;
+            mass.upper[d]  = mass.centre[d] + 1.;
+          }
+        if (dim == 3)
+          mass.width = 0.7;
+      }
+    return sliding;
+  }
+
+
   inline CampaignInfo
   synthetic_campaign()
   {

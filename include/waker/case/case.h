@@ -6,6 +6,7 @@
 #include <waker/case/flow.h>
 #include <waker/case/parameters.h>
 #include <waker/loads/tractions.h>
+#include <waker/measures/crest.h>
 #include <waker/mechanics/gravity_step.h>
 #include <waker/mechanics/stress_update.h>
 #include <waker/nodes/fixities.h>
@@ -60,6 +61,9 @@ namespace Waker
     /// Where W is measured (m); NaN: nowhere, as there is no level, or no soil
     /// at it.
     double measuring_level = nan;
+    /// z at which H and W are measured (m), ascending; empty in the plane and
+    /// if the surface is prismatic.
+    std::vector<double> sections;
     /// Does the water load anything at t = 0?
     bool water_touches = false;
 
@@ -73,6 +77,13 @@ namespace Waker
     void
     set_initial_state();
   };
+
+
+  /// The crest that sliding masses are measured on.
+  /// @throws UserError "Sliding masses/Crest edge" if it is none of the crest
+  template <int dim>
+  Crest<dim>
+  initial_crest(const Case<dim> &the_case);
 
 
   /// The vertices that the material carries, at t = 0.

@@ -76,6 +76,7 @@ namespace Waker
     TimeParameters                   time;
     NewtonParameters                 newton;
     InitialFailureParameters         initial_failure;
+    SlidingMassParameters            sliding;
     StopParameters                   stop;
     StrengthReductionParameters      strength_reduction;
     OutputParameters                 output;

@@ -65,6 +65,12 @@ namespace Waker
     void
     set(const MaterialPoints<dim> &points);
 
+    /// Height and width of the dyke on the surfaces found last: of their
+    /// outline in the plane, in space of the case's sections.
+    /// @param level at which W is measured (m), or NaN
+    DykeGeometry
+    measure_dyke(const double level);
+
     /// Do loads change in time even if the points do not move?
     bool
     loads_move() const;

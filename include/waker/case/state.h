@@ -5,6 +5,7 @@
 #include <waker/control/stop_rules.h>
 #include <waker/loads/tractions.h>
 #include <waker/measures/failure_record.h>
+#include <waker/measures/sliding_masses.h>
 #include <waker/mechanics/energy.h>
 #include <waker/nodes/wall.h>
 #include <waker/particles/flow_account.h>
@@ -37,6 +38,7 @@ namespace Waker
     FlowAccount<dim> flow;
     EnergyAccount    energy;
     FailureRecord    failure;
+    SlidingMasses    sliding; // if they are watched
     RestRecord       rest;
 
     // Of the last step, for the stop rules.

@@ -4,6 +4,7 @@
 
 #include <waker/measures/failure_record.h>
 
+#include <optional>
 #include <string>
 
 namespace dealii
@@ -23,6 +24,26 @@ namespace Waker
     void
     add_parameters(ParameterHandler &prm);
     /// @throws UserError "Initial failure/..."
+    void
+    check() const;
+  };
+
+  /// Section "Sliding masses": slides while they happen.
+  struct SlidingMassParameters
+  {
+    bool   watch        = true;
+    double displacement = 0.2; // |u| of stable soil at most, m
+    /// x of the crest's edge (m), or "detected".
+    std::string crest_edge = "detected";
+
+    /// The x that is given, if one is.
+    /// @throws UserError "Sliding masses/Crest edge"
+    std::optional<double>
+    given_edge() const;
+
+    void
+    add_parameters(ParameterHandler &prm);
+    /// @throws UserError "Sliding masses/..."
     void
     check() const;
   };

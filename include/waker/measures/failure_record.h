@@ -165,7 +165,8 @@ namespace Waker
     {
       archive &started &initial_width &initial_height &initial_level
         &initial_time &initial_time_thesis &flooding_time &inner_slide
-          &outer_slide &geometry.height &geometry.width;
+          &outer_slide &geometry.height &geometry.width &geometry
+            .height_z                                   &geometry.width_z;
     }
   };
 } // namespace Waker

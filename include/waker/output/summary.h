@@ -2,6 +2,8 @@
 #ifndef waker_output_summary_h
 #define waker_output_summary_h
 
+#include <waker/measures/sliding_masses.h>
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -49,11 +51,16 @@ namespace Waker
     std::optional<SlideSummary> inner_slide;
     std::optional<SlideSummary> outer_slide;
     std::optional<double>       flooding_time;
+    /// If they were watched.
+    std::optional<SlidingMasses> sliding_masses;
 
     double initial_width   = 0.; // W_i, m
     double residual_width  = 0.; // W at the end, m
     double residual_height = 0.; // H at the end, m
-    double end_time        = 0.; // s
+    /// z of these, in space (m).
+    std::optional<double> residual_width_z;
+    std::optional<double> residual_height_z;
+    double                end_time = 0.; // s
 
     std::uint64_t steps             = 0;
     std::uint64_t newton_iterations = 0;

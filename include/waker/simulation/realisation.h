@@ -12,6 +12,7 @@
 #include <waker/simulation/step_control.h>
 
 #include <memory>
+#include <optional>
 
 namespace Waker
 {
@@ -58,13 +59,15 @@ namespace Waker
     void
     measure();
 
-    const Case<dim>                 *the_case;
-    State<dim>                      *state;
-    Scene<dim>                       scene;
-    Carried<dim>                     carried;
-    StepControl<dim>                 control;
-    std::unique_ptr<TimeScheme<dim>> scheme;
-    StepReport<dim>                  report; // of the last step
+    const Case<dim> *the_case;
+    State<dim>      *state;
+    Scene<dim>       scene;
+    Carried<dim>     carried;
+    /// If sliding masses are watched.
+    std::optional<SlidingMassFinder<dim>> slides;
+    StepControl<dim>                      control;
+    std::unique_ptr<TimeScheme<dim>>      scheme;
+    StepReport<dim>                       report; // of the last step
   };
 } // namespace Waker
 

@@ -35,6 +35,13 @@ namespace Waker
   /// NaN: the event did not occur.
   extern const std::vector<Column<AnalysedRecord, double>> real_columns;
 
+  /// Of sliding masses; NaN also if they were not watched.
+  extern const std::vector<Column<AnalysedRecord, double>> sliding_columns;
+
+  /// -1 if they were not watched.
+  extern const std::vector<Column<AnalysedRecord, std::int32_t>>
+    sliding_count_columns;
+
   extern const std::vector<Column<AnalysedRecord, std::int8_t>> flag_columns;
 
   extern const std::vector<Column<AnalysedRecord, std::int32_t>> count_columns;
@@ -42,6 +49,8 @@ namespace Waker
   extern const std::vector<Column<AnalysedRecord, std::int64_t>> work_columns;
 
   extern const std::vector<Column<Slide, double>> slide_columns;
+
+  extern const std::vector<Column<SlidingMass, double>> mass_columns;
 } // namespace Waker
 
 #endif

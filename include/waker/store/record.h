@@ -5,6 +5,7 @@
 #include <waker/control/outcome.h>
 #include <waker/measures/failure_record.h>
 #include <waker/measures/moved_soil.h>
+#include <waker/measures/sliding_masses.h>
 
 #include <cstdint>
 #include <optional>
@@ -44,6 +45,9 @@ namespace Waker
     double initial_height  = 0.; // H_i, m
     double residual_width  = 0.; // W_r, at the end, m
     double residual_height = 0.; // H_r, m
+    /// z of the narrowest and of the lowest section then, in space (m).
+    std::optional<double> residual_width_z;
+    std::optional<double> residual_height_z;
 
     /// At the end; inner side is where the water is not (positive x if the
     /// water stands on the left).
@@ -60,6 +64,9 @@ namespace Waker
     std::uint64_t unconverged_steps = 0;
     double        wall_time         = 0.; // s
     double        field_time        = 0.; // of which for the fields, s
+
+    /// If they were watched.
+    std::optional<SlidingMasses> sliding_masses;
 
     /// Only if the dyke failed: the geometry whenever it changes by more than
     /// 0.02 m, with the last moment before the change, the first and the last.

@@ -30,6 +30,7 @@ namespace Waker
     constexpr PlausibleRange share      = {0., 1. + 1e-6}; // -
     constexpr PlausibleRange duration   = {0., 1e12};      // s
     constexpr PlausibleRange event_time = {-1., 1e12};     // s; -1: never
+    constexpr PlausibleRange direction  = {-1., 1.};
     constexpr PlausibleRange strength   = {-1e12, 1e12};   // kPa
     constexpr PlausibleRange count      = {0., 1e15};      // a double holds it
     constexpr PlausibleRange any        = {-1e300, 1e300}; // no number, or many
@@ -65,6 +66,8 @@ namespace Waker
     json_of(const MovedSoil &soil, const PlausibleRange &);
     Json
     json_of(const SlopeSlide &slide, const PlausibleRange &);
+    Json
+    json_of(const SlidingMasses &sliding, const PlausibleRange &);
     Json
     json_of(const std::vector<TracePoint> &trace, const PlausibleRange &);
 
@@ -115,6 +118,11 @@ namespace Waker
          const char *key,
          const PlausibleRange &,
          SlopeSlide &slide);
+    void
+    read(const Json &json,
+         const char *key,
+         const PlausibleRange &,
+         SlidingMasses &sliding);
     void
     read(const Json &json,
          const char *key,
@@ -211,6 +219,9 @@ namespace Waker
 
       void
       add(const SlopeSlide &slide);
+
+      void
+      add(const SlidingMasses &sliding);
 
       void
       add(const std::vector<TracePoint> &trace);
