@@ -64,7 +64,14 @@ namespace Waker
     double
     level(const double t) const
     {
-      return parameters.level + rise.value(t);
+      return parameters.level + rise.value(t) + added_rise;
+    }
+
+    /// What a load programme adds to the level from now on (m).
+    void
+    set_added_rise(const double height)
+    {
+      added_rise = height;
     }
 
     /// Does the level depend on the time?
@@ -155,6 +162,7 @@ namespace Waker
     const BackgroundGrid<dim> *grid;
     WaterParameters            parameters;
     TimeFunction               rise;
+    double                     added_rise = 0.; // m
     Liquid                     liquid;
     std::vector<LoadedSegment> wetted;
     Facets<dim>                facets;
