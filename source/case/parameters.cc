@@ -7,6 +7,7 @@
 #include <waker/base/numbers.h>
 #include <waker/base/sizes.h>
 #include <waker/base/time_function.h>
+#include <waker/case/load_programmes.h>
 #include <waker/case/parameters.h>
 #include <waker/mechanics/time_scheme.h>
 
@@ -288,6 +289,7 @@ namespace Waker
       traction.check(dimension, mapping.functions);
     for (const PointLoadParameters &load : point_loads)
       load.check(dimension);
+    check_load_programmes(*this);
     for (const WallParameters &wall : walls)
       wall.check(dimension);
     if (!walls.empty() && !scheme_traits(time).is_implicit)

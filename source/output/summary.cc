@@ -109,6 +109,37 @@ namespace Waker
     }
 
 
+    Json
+    to_json(const std::vector<LoadSummary> &loads)
+    {
+      Json list = Json::array();
+      for (const LoadSummary &load : loads)
+        list.push_back({{"name", load.name},
+                        {"unit", load.unit},
+                        {"factor", to_json(load.factor)},
+                        {"held_for", to_json(load.held_for)},
+                        {"stop_time", to_json(load.stop_time)}});
+      return list;
+    }
+
+
+    void
+    from_json(const Json &json, std::vector<LoadSummary> &loads)
+    {
+      loads.clear();
+      for (const Json &one : json)
+        {
+          LoadSummary load;
+          from_json(one.at("name"), load.name);
+          from_json(one.at("unit"), load.unit);
+          from_json(one.at("factor"), load.factor);
+          from_json(one.at("held_for"), load.held_for);
+          from_json(one.at("stop_time"), load.stop_time);
+          loads.push_back(load);
+        }
+    }
+
+
     /// Call f(key, member) for each member that older summaries do not have.
     template <typename Self, typename Function>
     void
@@ -119,6 +150,7 @@ namespace Waker
       f("slope", s.slope);
       f("inner_slide", s.inner_slide);
       f("outer_slide", s.outer_slide);
+      f("loads", s.loads);
     }
 
 

@@ -105,6 +105,7 @@ namespace Waker
     {"Boundary conditions", "Names", &ParameterNames::conditions},
     {"Tractions", "Names", &ParameterNames::tractions},
     {"Point loads", "Names", &ParameterNames::point_loads},
+    {"Load programmes", "Names", &ParameterNames::load_programmes},
     {"Walls", "Names", &ParameterNames::walls},
     {"Inflow", "Names", &ParameterNames::inflows},
     {"Random fields", "Names", &ParameterNames::fields}};
@@ -180,6 +181,10 @@ namespace Waker
           "point loads",
           names.point_loads,
           parameters.point_loads);
+    named("Load programmes",
+          "load programmes",
+          names.load_programmes,
+          parameters.load_programmes);
     named("Walls", "walls", names.walls, parameters.walls);
     declare_section(prm, "Outflow", parameters.outflow);
     named("Inflow", "inflows", names.inflows, parameters.inflows);

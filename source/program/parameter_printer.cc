@@ -128,7 +128,7 @@ namespace Waker
     const std::vector<std::string> name = {"<name>"};
     declare_parameters(prm,
                        input,
-                       {name, name, name, name, name, name, name, name});
+                       {name, name, name, name, name, name, name, name, name});
 
     const auto style = ParameterHandler::KeepDeclarationOrder;
     switch (format)

@@ -28,7 +28,7 @@ namespace Waker
     struct Progress
     {
       /// Raised when what is stored, or in State, changes.
-      static constexpr unsigned int this_layout = 2;
+      static constexpr unsigned int this_layout = 3;
 
       std::string           state;
       StopParameters        stop; // by which state.rest was found
@@ -319,6 +319,7 @@ namespace Waker
   template <int dim>
   void
   Recorder<dim>::write_summary(const State<dim>               &state,
+                               const std::vector<LoadName>    &load_names,
                                const Outcome                   outcome,
                                const Unrest                   &unrest,
                                const std::string              &stop_reason,
@@ -354,6 +355,15 @@ namespace Waker
     summary.particles         = state.points.n_points();
     for (const TractionRecord &traction : state.tractions)
       summary.vanished_tractions += traction.empty_time >= 0.;
+    for (std::size_t i = 0; i < state.loads.size(); ++i)
+      {
+        const LoadRecord &load = state.loads[i];
+        summary.loads.push_back({load_names[i].name,
+                                 load_names[i].unit,
+                                 load.factor,
+                                 load.held_for,
+                                 time_or_nothing(load.stop_time)});
+      }
     summary.wall_time       = wall_time;
     summary.warnings        = warnings;
     summary.parameters_hash = parameters->hash;

@@ -95,6 +95,21 @@ namespace Waker
               "Minimum support");
         }
     }
+
+
+    /// Say in the log which loads have just been stopped, and how far they got.
+    void
+    report_loads(const std::vector<LoadProgrammeParameters> &parameters,
+                 const std::vector<LoadRecord>              &before,
+                 const std::vector<LoadRecord>              &now,
+                 Log                                        &log)
+    {
+      for (std::size_t i = 0; i < now.size(); ++i)
+        if (now[i].is_stopped() && !before[i].is_stopped())
+          log.line("load " + load_text(now[i],
+                                       {parameters[i].name,
+                                        facts_of(parameters[i].drives).unit}));
+    }
   } // namespace
 
 
@@ -114,6 +129,7 @@ namespace Waker
     , log(log)
     , failure(state.failure)
     , tractions(state.tractions)
+    , loads(state.loads)
     , is_new(!resumed)
     , unconverged(state.unconverged_steps)
   {}
@@ -133,8 +149,10 @@ namespace Waker
   {
     report_events(failure, state.failure, log);
     report_tractions(parameters.tractions, tractions, state.tractions, log);
+    report_loads(parameters.load_programmes, loads, state.loads, log);
     failure         = state.failure;
     tractions       = state.tractions;
+    loads           = state.loads;
     const bool last = stop != StopReason::none;
     if (is_new)
       {

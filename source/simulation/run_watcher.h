@@ -46,6 +46,7 @@ namespace Waker
     // As of the moment before.
     FailureRecord               failure;
     std::vector<TractionRecord> tractions;
+    std::vector<LoadRecord>     loads;
 
     bool          is_new;       // this moment is not in the files yet
     bool          held = false; // domains, at the size of a cell

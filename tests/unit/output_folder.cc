@@ -446,6 +446,8 @@ namespace Waker::output_folder
     summary.steps                = 9007199254740993; // no double holds it
     summary.unconverged_steps    = 2;
     summary.parameters_hash      = "abc";
+    summary.loads                = {{"soil", "m", 0.35, 1.5, 2.5},
+                                    {"traffic", "-", 2., 0., {}}};
     summary.write(folder.file("summary.json"));
 
     const Summary read = Summary::read(folder.file("summary.json"));
@@ -459,6 +461,14 @@ namespace Waker::output_folder
     EXPECT_EQ(read.steps, summary.steps);
     EXPECT_EQ(read.unconverged_steps, 2u);
     EXPECT_EQ(read.parameters_hash, "abc");
+    ASSERT_EQ(read.loads.size(), 2u);
+    EXPECT_EQ(read.loads[0].name, "soil");
+    EXPECT_EQ(read.loads[0].unit, "m");
+    EXPECT_EQ(read.loads[0].factor, 0.35);
+    EXPECT_EQ(read.loads[0].held_for, 1.5);
+    EXPECT_EQ(read.loads[0].stop_time, 2.5);
+    EXPECT_EQ(read.loads[1].factor, 2.);
+    EXPECT_FALSE(read.loads[1].stop_time.has_value());
     EXPECT_FALSE(read.version.empty());
     EXPECT_FALSE(read.compiler.empty());
     EXPECT_TRUE(
