@@ -202,7 +202,7 @@ namespace loads_weight_load
         put(1.5, 2.);
         put(1.5, 2.4); // the slope falls by less than a cell
         EXPECT_USER_ERROR(put(1.5, 3.), path, "not level");
-        EXPECT_USER_ERROR(put(3.5, 5.), path, "none at x = 4.5 m");
+        EXPECT_USER_ERROR(put(3.5, 5.), path, "none at x = 4.");
         EXPECT_USER_ERROR(put(-0.5, 1.), path, "none at x = -0.25 m");
       }
     const MaterialPoints<3> space = slope<3>();

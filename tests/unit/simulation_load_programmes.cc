@@ -15,6 +15,9 @@ namespace simulation_load_programmes
 
   namespace
   {
+    constexpr double stiff = 1e5; // kPa: strains of a thousandth
+
+
     /// Settlement of the point nearest to a height at the start (m).
     double
     settlement_at(const State<2> &state, const double y)
@@ -34,14 +37,35 @@ namespace simulation_load_programmes
     loaded_statically(const LoadedPoints which, const LoadMass mass)
     {
       LoadedColumn column;
-      Parameters  &p              = column.parameters;
-      p.time.scheme               = Scheme::quasi_static;
-      p.time.time_step            = 0.1;
-      p.time.end_time             = 1.;
-      column.load().rate          = 0.5;
-      column.load().up_to         = "0.4";
-      column.load().weight.points = which;
-      column.load().weight.mass   = mass;
+      Parameters  &p                        = column.parameters;
+      p.materials[0].elastic.youngs_modulus = stiff;
+      p.time.scheme                         = Scheme::quasi_static;
+      p.time.time_step                      = 0.1;
+      p.time.end_time                       = 1.;
+      column.load().rate                    = 0.5;
+      column.load().up_to                   = "0.4";
+      column.load().weight.points           = which;
+      column.load().weight.mass             = mass;
+      column.run();
+      return column;
+    }
+
+
+    /// 2 m of soil in a second.
+    LoadedColumn
+    loaded_fast(const LoadedPoints which,
+                const LoadMass     mass,
+                const double       youngs_modulus,
+                const double       time_step)
+    {
+      LoadedColumn column;
+      Parameters  &p                        = column.parameters;
+      p.materials[0].elastic.youngs_modulus = youngs_modulus;
+      p.time.time_step                      = time_step;
+      p.time.end_time                       = 1.;
+      column.load().rate                    = 2.;
+      column.load().weight.mass             = mass;
+      column.load().weight.points           = which;
       column.run();
       return column;
     }
@@ -49,11 +73,11 @@ namespace simulation_load_programmes
 
 
   // One-dimensional and linear: sigma = q below the top row of points, or
-  // q (1 - y/H) in the column. Strains are 1 %: what the column has shortened
-  // by is that much of the error of a small-strain solution.
+  // q (1 - y/H) in the column. Met: 0.08 %, the in-situ stress by Young's
+  // modulus (points keep their volume); and 0.8 % of the parabola, by 8 cells.
   TEST(Simulation, a_column_settles_under_a_weight_as_it_should)
   {
-    constexpr double q = 0.4 * 20., E = LoadedColumn::stiffness, H = 4.;
+    constexpr double q = 0.4 * 20., E = stiff, H = 4.;
     constexpr double weight = 2. * (20. * H + q);
     for (const LoadMass mass : {LoadMass::weight_alone, LoadMass::with_mass})
       {
@@ -62,7 +86,7 @@ namespace simulation_load_programmes
         EXPECT_NEAR(top.state.loads[0].factor, 0.4, 1e-14);
         EXPECT_NEAR(top.reaction, weight, 1e-6 * weight);
         for (const double y : {0.875, 1.875, 2.875})
-          EXPECT_NEAR(settlement_at(top.state, y) / (q * y / E), 1., 0.015)
+          EXPECT_NEAR(settlement_at(top.state, y) / (q * y / E), 1., 0.003)
             << y;
 
         const LoadedColumn all = loaded_statically(LoadedPoints::column, mass);
@@ -71,7 +95,7 @@ namespace simulation_load_programmes
           EXPECT_NEAR(settlement_at(all.state, y) /
                         (q / (E * H) * (H * y - y * y / 2.)),
                       1.,
-                      0.015)
+                      0.025)
             << y;
       }
   }
@@ -96,25 +120,20 @@ namespace simulation_load_programmes
 
 
   // The work of a load that grows, and the energy that mass brings along: what
-  // is left is the method's.
+  // is left is the method's, and falls with the step.
   TEST(Simulation, the_energy_account_closes_under_a_growing_weight)
   {
     for (const LoadMass mass : {LoadMass::weight_alone, LoadMass::with_mass})
       for (const LoadedPoints which : {LoadedPoints::top, LoadedPoints::column})
         {
           SCOPED_TRACE(std::string(name_of(mass)) + ", " + name_of(which));
-          LoadedColumn column;
-          column.parameters.time.end_time = 1.;
-          column.load().rate              = 2.; // 2 m of soil in a second
-          column.load().weight.mass       = mass;
-          column.load().weight.points     = which;
-          column.run();
-          const EnergyAccount &e    = column.state.energy;
-          const double         work = e.water_work + e.gravity_work;
-          EXPECT_GT(work, 1.);
+          const LoadedColumn   column = loaded_fast(which, mass, 2e4, 0.01);
+          const EnergyAccount &e      = column.state.energy;
+          const double         work   = e.water_work + e.gravity_work;
+          EXPECT_GT(work, 0.4);
           EXPECT_GT(e.kinetic, 0.);
-          EXPECT_LT(std::abs(e.remainder()), 2e-4 * work);
-          // The momentum of the mass that has come is there, too.
+          // Met: 1.0e-5 to 1.5e-5.
+          EXPECT_LT(std::abs(e.remainder()), 5e-5 * work);
           if (mass == LoadMass::with_mass)
             {
               EXPECT_NEAR(column.state.flow.mass_in,
@@ -122,13 +141,20 @@ namespace simulation_load_programmes
                           1e-11);
               EXPECT_GT(e.inflow, 0.);
               // Whatever has come weighs: little is the load's own work.
-              EXPECT_LT(std::abs(e.water_work), 0.05 * work);
+              EXPECT_LT(std::abs(e.water_work), 0.01 * work);
             }
           else
             {
               EXPECT_EQ(e.inflow, 0.);
-              EXPECT_GT(e.water_work, 0.5 * work);
+              EXPECT_GT(e.water_work, 0.15 * work);
             }
+
+          // Soft, with larger strains and momentum that counts.
+          const double coarse =
+            loaded_fast(which, mass, 1e3, 0.01).state.energy.remainder();
+          const double fine =
+            loaded_fast(which, mass, 1e3, 0.005).state.energy.remainder();
+          EXPECT_NEAR(fine / coarse, 0.5, 0.05);
         }
   }
 
@@ -148,16 +174,15 @@ namespace simulation_load_programmes
   }
 
 
-  // It is set off by the load itself: the rate of the wave that a sudden start
-  // sends through the column is about q' H / (rho c H) and more.
+  // It is set moving by the load itself, and rings.
   TEST(Simulation, a_load_waits_while_the_column_moves)
   {
     LoadedColumn column;
-    column.load().rate       = 5.;
+    column.load().rate       = 1.;
     column.load().held_by    = Watched::largest_settlement_rate;
-    column.load().hold_above = 0.02;
+    column.load().hold_above = 0.05;
     column.load().stopped_by = Watched::settlement_of_load;
-    column.load().stop_above = 0.01;
+    column.load().stop_above = 0.05;
     const Case<2>  the_case(column.parameters, MPI_COMM_SELF);
     State<2>       state = initial_state(the_case);
     Realisation<2> realisation(the_case, state);
@@ -165,7 +190,7 @@ namespace simulation_load_programmes
     while (realisation.look() == StopReason::none)
       {
         const LoadRecord before = state.loads[0];
-        const bool       fast   = state.settlement_rate > 0.02;
+        const bool       fast   = state.settlement_rate > 0.05;
         EXPECT_EQ(before.held, fast && !before.is_stopped()) << state.time;
         realisation.advance();
         const double grown = state.loads[0].factor - before.factor;
@@ -176,7 +201,7 @@ namespace simulation_load_programmes
           }
         else
           {
-            EXPECT_NEAR(grown, 5. * state.last_dt, 1e-14) << state.time;
+            EXPECT_NEAR(grown, state.last_dt, 1e-14) << state.time;
             ++n_grown;
           }
       }
@@ -188,7 +213,7 @@ namespace simulation_load_programmes
                             state.failure,
                             0.,
                             carried_load(column.load(), state.points)),
-              0.005);
+              0.025);
   }
 
 
