@@ -117,6 +117,20 @@ namespace Waker
 
 
   double
+  TimeFunction::least() const
+  {
+    if (expression)
+      return value(0.);
+    return std::min_element(table.begin(),
+                            table.end(),
+                            [](const auto &a, const auto &b) {
+                              return a.second < b.second;
+                            })
+      ->second;
+  }
+
+
+  double
   TimeFunction::last_change() const
   {
     if (expression)

@@ -41,6 +41,23 @@ namespace Waker
     }
 
 
+    /// Those that no load programme drives.
+    std::vector<PointLoadParameters>
+    undriven_point_loads(const Parameters &p)
+    {
+      std::vector<PointLoadParameters> loads = p.point_loads;
+      for (const LoadProgrammeParameters &programme : p.load_programmes)
+        if (programme.drives == LoadTarget::point_load)
+          loads.erase(std::remove_if(loads.begin(),
+                                     loads.end(),
+                                     [&](const PointLoadParameters &load) {
+                                       return load.name == programme.load;
+                                     }),
+                      loads.end());
+      return loads;
+    }
+
+
     double
     largest_density(const Materials &materials)
     {
@@ -66,6 +83,7 @@ namespace Waker
                                         : std::move(given_materials))
     , flow(grid, materials, p)
     , fixities(grid, flow.conditions(), flow.outflow())
+    , programmes(p)
     , depths(grid, p.layers)
     , full_node_mass(largest_density(materials) *
                      std::pow(p.grid.cell_size, dim))
@@ -82,11 +100,14 @@ namespace Waker
       grid, p.layers, p.points, names, densities, &layers_of_points);
     flow.fill(initial_points);
     layers_of_points.resize(initial_points.n_points(), depths.n_layers());
-    apply_point_loads(p.point_loads, p.grid.cell_size, initial_points);
+    apply_point_loads(undriven_point_loads(p),
+                      p.grid.cell_size,
+                      initial_points);
     declare_material_variables(materials, initial_points);
     InitialProperties<dim>(materials, depths)
       .set(layers_of_points, initial_points);
     prepare_domains(p.mapping.domains, initial_points);
+    programmes.prepare(p, initial_points);
     check_run_sizes(run_sizes(*this), p);
     if constexpr (dim == 3)
       if (!p.surface.prismatic)
@@ -165,7 +186,8 @@ namespace Waker
     scene.tractions.check_something_is_loaded();
     last_load_change = declared_last_load_change(scene);
     measuring_level  = checked_measuring_level(scene);
-    water_touches    = scene.water.touches();
+    programmes.check_watched(points, measuring_level);
+    water_touches = scene.water.touches();
     scene.tractions.fix_point_loads(points);
     scene.tractions.ride(points, riding_loads);
     for (std::size_t i = 0; i < scene.tractions.size(); ++i)

@@ -6,6 +6,7 @@
 #include <waker/base/errors.h>
 #include <waker/base/numbers.h>
 #include <waker/base/sizes.h>
+#include <waker/case/load_programmes.h>
 #include <waker/case/parameters.h>
 #include <waker/loads/water_level.h>
 #include <waker/mechanics/time_scheme.h>
@@ -295,6 +296,7 @@ namespace Waker
       traction.check(dimension, mapping.functions);
     for (const PointLoadParameters &load : point_loads)
       load.check(dimension);
+    check_load_programmes(*this);
     for (const WallParameters &wall : walls)
       wall.check(dimension);
     if (!walls.empty())

@@ -30,6 +30,7 @@ namespace Waker
             the_case.full_node_mass)
     , the_case(&the_case)
     , point_loads(the_case.grid)
+    , driven(the_case.grid, the_case.programmes, the_case.parameters)
   {}
 
 
@@ -99,7 +100,8 @@ namespace Waker
   void
   Scene<dim>::set_loads(State<dim> &state)
   {
-    do_at_step(state.step, [&]() { set_loads(state.points, state.time); });
+    do_at_step(state.step,
+               [&]() { set_loads(state.points, state.time, state.loads); });
     tractions.record(state.time, state.tractions);
   }
 
@@ -125,11 +127,10 @@ namespace Waker
 
   template <int dim>
   void
-  Scene<dim>::set_end_loads(const MaterialPoints<dim> &points,
-                            const double               time)
+  Scene<dim>::set_end_loads(const State<dim> &state, const double time)
   {
     if (loads_move())
-      set_loads(points, time);
+      set_loads(state.points, time, state.loads);
   }
 
 
@@ -150,7 +151,7 @@ namespace Waker
   bool
   Scene<dim>::loads_move() const
   {
-    return water.level().moves() || tractions.moves();
+    return water.level().moves() || tractions.moves() || !driven.empty();
   }
 
 
@@ -181,7 +182,7 @@ namespace Waker
                                     the_case->fixities.varying(from, to)})
       if (!path.empty())
         return path;
-    return "";
+    return the_case->programmes.changing_after(from);
   }
 
 
@@ -189,7 +190,21 @@ namespace Waker
   void
   Scene<dim>::set_loads(const MaterialPoints<dim> &points, const double time)
   {
+    set_loads(points, time, the_case->programmes.start());
+  }
+
+
+  template <int dim>
+  void
+  Scene<dim>::set_loads(const MaterialPoints<dim>     &points,
+                        const double                   time,
+                        const std::vector<LoadRecord> &records)
+  {
     set_gravity<dim>(the_case->parameters.gravity.acceleration, nodes);
+    driven.drive(
+      records,
+      time,
+      {points, weights, nodes.external_force, nodes.mass, tractions, water});
     water.find(surfaces, time);
     water.add_nodal_forces(nodes.mass,
                            the_case->full_node_mass,

@@ -46,7 +46,7 @@ namespace Waker
       for (std::vector<Point<dim>> &vertices : state.surface_vertices)
         array(archive, vertices);
       array(archive, state.wall_tractions);
-      archive &state.tractions;
+      archive &state.tractions &state.loads &state.settlement_rate;
       archive &state.time &state.step &state.flow &state.energy &state
         .failure &state.sliding &state.rest &state.mean_plastic_strain &state
         .displacement_rate &state.last_dt &state.halvings &state
@@ -93,6 +93,7 @@ namespace Waker
     state.energy.elastic_start =
       elastic_energy(state.points, the_case.materials);
     state.energy.elastic = state.energy.elastic_start;
+    state.loads          = the_case.programmes.start();
     the_case.flow.start(state);
     return state;
   }

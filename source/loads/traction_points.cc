@@ -81,6 +81,8 @@ namespace Waker
       }
     else
       collect_point_loads(item, points.n_points());
+    for (Tensor<1, dim> &force : item.point_loads)
+      force *= item.factor;
     // Eq. 3.2, with linear functions also under GIMP.
     for (std::size_t p = 0; p < points.n_points(); ++p)
       if (item.point_loads[p] != Tensor<1, dim>())

@@ -11,11 +11,12 @@ namespace Waker
   {
     const Facet<dim> &facet = loaded[k];
     if (!rides())
-      return traction.value(facet.normal, x);
+      return factor * traction.value(facet.normal, x);
     const Facet<dim> &start = placed[k].piece->start;
     const Point<dim>  X =
       traction.is_uniform() ? x : start_place(facet, start, x);
-    return traction.force(start.measure(), placed[k].area, X) / facet.measure();
+    return factor * traction.force(start.measure(), placed[k].area, X) /
+           facet.measure();
   }
 
 

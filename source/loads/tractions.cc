@@ -218,9 +218,10 @@ namespace Waker
             const auto  &placed = item.placed[k];
             const double start  = placed.piece->start.measure();
             load.add(facet.vertices[0],
-                     item.traction.force(start,
-                                         placed.area,
-                                         placed.piece->start.vertices[0]));
+                     item.factor *
+                       item.traction.force(start,
+                                           placed.area,
+                                           placed.piece->start.vertices[0]));
             continue;
           }
         load.add(facet, [&](const Facet<dim> &, const Point<dim> &x) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/numbers.h>
+#include <waker/measures/watched.h>
 #include <waker/observers/observer.h>
 
 #include <numeric>
@@ -172,6 +173,33 @@ namespace Waker
     };
 
 
+    /// What load programmes do, and what most of them watch; no columns
+    /// without.
+    template <int dim>
+    class LoadObserver : public Observer<dim>
+    {
+    public:
+      void
+      observe(const StepView<dim> &view, Row &row) override
+      {
+        const State<dim>            &state = view.state;
+        const std::vector<LoadName> &names = view.the_case.programmes.names();
+        for (std::size_t i = 0; i < names.size(); ++i)
+          {
+            const LoadRecord &load = state.loads[i];
+            const std::string name = "Load " + names[i].name;
+            row.add(name + " (" + names[i].unit + ")", load.factor);
+            row.add(name + " held", load.held);
+            row.add(name + " stopped", load.is_stopped());
+          }
+        if (names.empty())
+          return;
+        row.add("Largest settlement (m)", largest_settlement(state.points));
+        row.add("Largest settlement rate (m/s)", state.settlement_rate);
+      }
+    };
+
+
     /// Mass and momentum of a body with open faces; no columns without.
     template <int dim>
     class FlowObserver : public Observer<dim>
@@ -238,6 +266,7 @@ namespace Waker
     observers.push_back(std::make_unique<SlidingObserver<dim>>());
     observers.push_back(std::make_unique<WallObserver<dim>>());
     observers.push_back(std::make_unique<TractionObserver<dim>>());
+    observers.push_back(std::make_unique<LoadObserver<dim>>());
     observers.push_back(std::make_unique<FlowObserver<dim>>());
     return observers;
   }

@@ -133,6 +133,20 @@ namespace Waker
     }
 
 
+    Json
+    to_json(const std::vector<LoadSummary> &loads)
+    {
+      Json list = Json::array();
+      for (const LoadSummary &load : loads)
+        list.push_back({{"name", load.name},
+                        {"unit", load.unit},
+                        {"factor", to_json(load.factor)},
+                        {"held_for", to_json(load.held_for)},
+                        {"stop_time", to_json(load.stop_time)}});
+      return list;
+    }
+
+
     void
     from_json(const Json &json, std::optional<SlidingMasses> &sliding)
     {
@@ -154,6 +168,23 @@ namespace Waker
     }
 
 
+    void
+    from_json(const Json &json, std::vector<LoadSummary> &loads)
+    {
+      loads.clear();
+      for (const Json &one : json)
+        {
+          LoadSummary load;
+          from_json(one.at("name"), load.name);
+          from_json(one.at("unit"), load.unit);
+          from_json(one.at("factor"), load.factor);
+          from_json(one.at("held_for"), load.held_for);
+          from_json(one.at("stop_time"), load.stop_time);
+          loads.push_back(load);
+        }
+    }
+
+
     /// Call f(key, member) for each member that older summaries do not have.
     template <typename Self, typename Function>
     void
@@ -167,6 +198,7 @@ namespace Waker
       f("sliding_masses", s.sliding_masses);
       f("residual_width_z", s.residual_width_z);
       f("residual_height_z", s.residual_height_z);
+      f("loads", s.loads);
     }
 
 

@@ -116,6 +116,28 @@ namespace Waker
 
 
   template <int dim>
+  std::vector<double>
+  shares_of_points(const PointLoadParameters &load,
+                   const double               cell_size,
+                   const MaterialPoints<dim> &points)
+  {
+    const std::vector<std::size_t> list =
+      loaded_points(load, cell_size, points);
+    double volume = 0.;
+    for (const std::size_t p : list)
+      volume += points.volume[p];
+    if (list.empty())
+      throw UserError("Point loads/" + load.name + "/From",
+                      "there is no point in the box",
+                      "a box that holds material points");
+    std::vector<double> shares(points.n_points());
+    for (const std::size_t p : list)
+      shares[p] = points.volume[p] / volume;
+    return shares;
+  }
+
+
+  template <int dim>
   void
   apply_point_loads(const std::vector<PointLoadParameters> &loads,
                     const double                            cell_size,
@@ -126,22 +148,23 @@ namespace Waker
     points.load.assign(points.n_points(), Tensor<1, dim>());
     for (const PointLoadParameters &load : loads)
       {
-        const std::vector<std::size_t> list =
-          loaded_points(load, cell_size, points);
-        double volume = 0.;
-        for (const std::size_t p : list)
-          volume += points.volume[p];
-        if (list.empty())
-          throw UserError("Point loads/" + load.name + "/From",
-                          "there is no point in the box",
-                          "a box that holds material points");
-        for (const std::size_t p : list)
+        const std::vector<double> shares =
+          shares_of_points(load, cell_size, points);
+        for (std::size_t p = 0; p < points.n_points(); ++p)
           for (unsigned int d = 0; d < dim; ++d)
-            points.load[p][d] += points.volume[p] / volume * load.force[d];
+            points.load[p][d] += shares[p] * load.force[d];
       }
   }
 
 
+  template std::vector<double>
+  shares_of_points(const PointLoadParameters &,
+                   const double,
+                   const MaterialPoints<2> &);
+  template std::vector<double>
+  shares_of_points(const PointLoadParameters &,
+                   const double,
+                   const MaterialPoints<3> &);
   template void
   apply_point_loads(const std::vector<PointLoadParameters> &,
                     const double,

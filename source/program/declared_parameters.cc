@@ -105,6 +105,7 @@ namespace Waker
     {"Boundary conditions", "Names", &ParameterNames::conditions},
     {"Tractions", "Names", &ParameterNames::tractions},
     {"Point loads", "Names", &ParameterNames::point_loads},
+    {"Load programmes", "Names", &ParameterNames::load_programmes},
     {"Walls", "Names", &ParameterNames::walls},
     {"Outflow", "Names", &ParameterNames::outlets},
     {"Inflow", "Names", &ParameterNames::inflows},
@@ -181,6 +182,10 @@ namespace Waker
           "point loads",
           names.point_loads,
           parameters.point_loads);
+    named("Load programmes",
+          "load programmes",
+          names.load_programmes,
+          parameters.load_programmes);
     named("Walls", "walls", names.walls, parameters.walls);
     declare_section(prm, "Outflow", parameters.outflow);
     declare_named(prm,

@@ -35,6 +35,35 @@ namespace Waker
       std::snprintf(text, sizeof text, format, arguments..., 0);
       log.warning(text);
     }
+
+
+    /// "weight on 0.5 m, growth of 0.5 m/s, held by ..."
+    std::string
+    programme_text(const LoadProgrammeParameters &p)
+    {
+      const LoadTargetFacts facts = facts_of(p.drives);
+      std::ostringstream    text;
+      text << name_of(p.drives);
+      if (*facts.section != '\0')
+        text << " " << p.load;
+      if (p.drives == LoadTarget::weight)
+        text << " of " << p.weight.unit_weight << " kN/m^3 on "
+             << p.weight.area() << (p.weight.from.size() == 1 ? " m" : " m^2");
+      text << ", " << name_of(p.kind);
+      const auto limit =
+        [&](const char *const verb, const Watched watched, const double above) {
+          if (watched != Watched::nothing)
+            text << ", " << verb << " by a " << name_of(watched) << " above "
+                 << above << " " << facts_of(watched).unit;
+        };
+      if (p.kind == LoadProgrammeKind::growth)
+        {
+          text << " of " << p.rate << " " << facts.unit << "/s";
+          limit("held", p.held_by, p.hold_above);
+        }
+      limit("stopped", p.stopped_by, p.stop_above);
+      return text.str();
+    }
   } // namespace
 
 
@@ -115,6 +144,8 @@ namespace Waker
             dim == 2 ? "m" : "m^2",
             rides ? "goes with the soil" : "stays in space");
       }
+    for (const LoadProgrammeParameters &load : p.load_programmes)
+      log.line("  load      " + load.name + ": " + programme_text(load));
     if (p.water.stands() && !the_case.water_touches)
       warn(log,
            "Water/Level: the water touches no soil at the start, at %g m: it "
@@ -155,6 +186,22 @@ namespace Waker
 
 
   std::string
+  load_text(const LoadRecord &load, const LoadName &name)
+  {
+    std::ostringstream text;
+    text.precision(4);
+    text << name.name << ": " << load.factor;
+    if (name.unit != "-")
+      text << " " << name.unit;
+    if (load.is_stopped())
+      text << ", stopped at t = " << load.stop_time << " s";
+    if (load.held_for > 0.)
+      text << ", held for " << load.held_for << " s";
+    return text.str();
+  }
+
+
+  std::string
   geometry_text(const FailureRecord &f)
   {
     char text[160];
@@ -183,13 +230,14 @@ namespace Waker
 
   template <int dim>
   void
-  describe_result(const State<dim>   &state,
-                  const Outcome       outcome,
-                  const Unrest       &unrest,
-                  const std::string  &reason,
-                  const double        wall_time,
-                  const std::uint64_t steps_done,
-                  Log                &log)
+  describe_result(const State<dim>            &state,
+                  const std::vector<LoadName> &load_names,
+                  const Outcome                outcome,
+                  const Unrest                &unrest,
+                  const std::string           &reason,
+                  const double                 wall_time,
+                  const std::uint64_t          steps_done,
+                  Log                         &log)
   {
     const FailureRecord &f = state.failure;
     // A run that was resumed at its end has made no step, and all points may
@@ -216,6 +264,8 @@ namespace Waker
           is_decided(outcome) ? "the residual width may change"
                               : "nobody knows whether the dyke stands");
     say(log, "  %s, t = %.3f s", geometry_text(f).c_str(), state.time);
+    for (std::size_t i = 0; i < state.loads.size(); ++i)
+      log.line("  load " + load_text(state.loads[i], load_names[i]));
     say(log,
         "  %llu steps, %llu Newton iterations, %llu unconverged, %.2f s%s",
         static_cast<unsigned long long>(state.step),
@@ -232,6 +282,7 @@ namespace Waker
   describe_case(const Case<3> &, Log &);
   template void
   describe_result(const State<2> &,
+                  const std::vector<LoadName> &,
                   const Outcome,
                   const Unrest &,
                   const std::string &,
@@ -240,6 +291,7 @@ namespace Waker
                   Log &);
   template void
   describe_result(const State<3> &,
+                  const std::vector<LoadName> &,
                   const Outcome,
                   const Unrest &,
                   const std::string &,

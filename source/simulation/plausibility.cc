@@ -2,6 +2,7 @@
 #include <waker/base/expression.h>
 #include <waker/base/expression_pattern.h>
 #include <waker/base/text.h>
+#include <waker/case/load_programmes.h>
 #include <waker/mechanics/time_scheme.h>
 #include <waker/particles/layer_gaps.h>
 #include <waker/simulation/plausibility.h>
@@ -327,6 +328,8 @@ namespace Waker
                          "will be coarse; 2 is usual");
 
     check_unused(p, warnings);
+    for (const std::string &text : unused_in_load_programmes(p))
+      warnings.push_back(text);
 
     for (const LayerGap &gap : layer_gaps(p.layers, 2. * p.grid.cell_size))
       {

@@ -44,13 +44,14 @@ namespace Waker
     scene.find_surfaces(*state); // where water and tractions act
     scene.set_loads(*state);     // weight, water, tractions: 2.27, 3.4
     scene.meet_walls(*state);
-    measure(); // H, W, bodies that have moved
+    measure();                          // H, W, bodies that have moved
+    the_case->programmes.watch(*state); // which loads wait, or stop
     return decide(the_case->parameters.stop,
                   state->failure,
                   state->time,
                   the_case->parameters.time.end_time,
                   the_case->parameters.time.ramp_duration,
-                  the_case->last_load_change,
+                  last_load_change(),
                   state->mean_plastic_strain,
                   state->displacement_rate,
                   state->rest);
@@ -64,17 +65,20 @@ namespace Waker
     const double t     = state->time;
     NodalState  &nodes = scene.nodes;
     scene.begin_step();
+    settlements.begin(state->points);
     const double dt =
       control.solve(scheme->time_step(state->points), [&](const double tried) {
-        scene.set_end_loads(state->points, t + tried); // weight, water, loads
+        scene.set_end_loads(*state, t + tried); // weight, water, loads
         return report = scheme->solve(state->points, t, tried, nodes); // 2.23
       });
     scheme->to_points(t, dt, nodes, state->points, report); // stress, motion
-    report.held_domains = carried.move(nodes, *state);      // domains, surfaces
+    report.held_domains    = carried.move(nodes, *state);   // domains, surfaces
+    state->settlement_rate = settlements.largest(state->points) / dt;
     report.check_finite(t + dt);
     state->energy += report;
     control.accept(dt, report);                         // time goes on
     the_case->flow.exchange(nodes, report, dt, *state); // inflow, outflow
+    the_case->programmes.proceed(*state);               // loads go on
   }
 
 
@@ -121,10 +125,22 @@ namespace Waker
         ? scene.last_load_change(LastChange::never) > since * (1. + 1e-9) ||
             !scene.varying_load(since, time).empty()
         : the_case->last_load_change > since * (1. + 1e-9);
+    unrest.loads_change =
+      unrest.loads_change ||
+      the_case->programmes.last_change(state->loads) > since * (1. + 1e-9);
     unrest.at_box = soil_lies_against_side(the_case->grid,
                                            state->points,
                                            the_case->flow.openings());
     return unrest;
+  }
+
+
+  template <int dim>
+  double
+  Realisation<dim>::last_load_change() const
+  {
+    return std::max(the_case->last_load_change,
+                    the_case->programmes.last_change(state->loads));
   }
 
 

@@ -317,6 +317,7 @@ namespace Waker
   template <int dim>
   void
   Recorder<dim>::write_summary(const State<dim>               &state,
+                               const std::vector<LoadName>    &load_names,
                                const Outcome                   outcome,
                                const Unrest                   &unrest,
                                const std::string              &stop_reason,
@@ -337,9 +338,9 @@ namespace Waker
       time_or_nothing(state.failure.initial_time_thesis);
     summary.initial_failure_time_displacement =
       time_or_nothing(state.failure.time_of(FailureReading::by_displacement));
-    summary.slope             = name_of(state.failure.slope());
-    summary.inner_slide       = slide_or_nothing(state.failure.inner_slide);
-    summary.outer_slide       = slide_or_nothing(state.failure.outer_slide);
+    summary.slope       = name_of(state.failure.slope());
+    summary.inner_slide = slide_or_nothing(state.failure.inner_slide);
+    summary.outer_slide = slide_or_nothing(state.failure.outer_slide);
     if (parameters->sliding.watch)
       summary.sliding_masses = state.sliding;
     summary.flooding_time     = time_or_nothing(state.failure.flooding_time);
@@ -356,6 +357,15 @@ namespace Waker
     summary.particles         = state.points.n_points();
     for (const TractionRecord &traction : state.tractions)
       summary.vanished_tractions += traction.empty_time >= 0.;
+    for (std::size_t i = 0; i < state.loads.size(); ++i)
+      {
+        const LoadRecord &load = state.loads[i];
+        summary.loads.push_back({load_names[i].name,
+                                 load_names[i].unit,
+                                 load.factor,
+                                 load.held_for,
+                                 time_or_nothing(load.stop_time)});
+      }
     summary.wall_time       = wall_time;
     summary.warnings        = warnings;
     summary.parameters_hash = parameters->hash;

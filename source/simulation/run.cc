@@ -118,9 +118,15 @@ namespace Waker
       const std::string pumped = energy_from_the_mapping(state, outcome);
       if (!pumped.empty())
         log.warning(pumped);
-      recorder.write_summary(
-        state, outcome, unrest, reason, wall.count(), log.warnings());
+      recorder.write_summary(state,
+                             the_case.programmes.names(),
+                             outcome,
+                             unrest,
+                             reason,
+                             wall.count(),
+                             log.warnings());
       describe_result(state,
+                      the_case.programmes.names(),
                       outcome,
                       unrest,
                       reason,
@@ -174,6 +180,7 @@ namespace Waker
                                   parameters.text);
             Recorder<dim>(parameters)
               .write_summary(State<dim>(),
+                             {},
                              Outcome::numerical_failure,
                              Unrest(),
                              failure.what(),

@@ -125,6 +125,21 @@ namespace Waker
               "Minimum support");
         }
     }
+
+
+    /// Say in the log which loads have just been stopped, and how far they got.
+    void
+    report_loads(const std::vector<LoadProgrammeParameters> &parameters,
+                 const std::vector<LoadRecord>              &before,
+                 const std::vector<LoadRecord>              &now,
+                 Log                                        &log)
+    {
+      for (std::size_t i = 0; i < now.size(); ++i)
+        if (now[i].is_stopped() && !before[i].is_stopped())
+          log.line("load " + load_text(now[i],
+                                       {parameters[i].name,
+                                        facts_of(parameters[i].drives).unit}));
+    }
   } // namespace
 
 
@@ -143,6 +158,7 @@ namespace Waker
     , failure(state.failure)
     , n_sliding_masses(state.sliding.masses.size())
     , tractions(state.tractions)
+    , loads(state.loads)
     , is_new(!resumed)
     , unconverged(state.unconverged_steps)
   {}
@@ -156,9 +172,11 @@ namespace Waker
     report_tractions(parameters.tractions, tractions, state.tractions, log);
     for (std::size_t k = n_sliding_masses; k < state.sliding.masses.size(); ++k)
       log.line(sliding_text<dim>(k, state.sliding));
+    report_loads(parameters.load_programmes, loads, state.loads, log);
     failure          = state.failure;
     n_sliding_masses = state.sliding.masses.size();
     tractions        = state.tractions;
+    loads            = state.loads;
     if (is_new)
       {
         recorder.record(realisation.view(), stop != StopReason::none);

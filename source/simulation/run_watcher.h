@@ -41,6 +41,7 @@ namespace Waker
     FailureRecord               failure;
     std::size_t                 n_sliding_masses;
     std::vector<TractionRecord> tractions;
+    std::vector<LoadRecord>     loads;
 
     bool          is_new;       // this moment is not in the files yet
     bool          held = false; // domains, at the size of a cell

@@ -26,6 +26,7 @@ POLYGON = "Soil profile/dyke/Polygon"
 # The loads of these cases are of one name.
 LOAD = "--set", "Tractions/Names=load"
 POINT_LOAD = "--set", "Point loads/Names=p"
+PROGRAMME = "--set", "Load programmes/Names=q"
 
 
 def sets(*values):
@@ -420,6 +421,37 @@ def other_loads(cases):
                                            "Point loads/p/From=-5, 3")])
 
 
+def load_programmes(cases):
+    """On the crest, from x = 5 to 15 m."""
+    check, usual = cases.check, {"Rate": 0.5, "From": 7, "To": 9}
+
+    def programme(entry, text, settings=()):
+        path = "Load programmes/q/"
+        values = dict(usual, **{name: value for name, value in settings
+                                if "/" not in name})
+        others = [f"{name}={value}" for name, value in settings if "/" in name]
+        check(f"load programme: {entry}", f"^--set {path}{entry}$|^{path}{entry}$",
+              text,
+              ["run", good, *PROGRAMME,
+               *sets(*others, *(f"{path}{name}={value}"
+                                for name, value in values.items()))])
+
+    programme("Rate", "is 0", [("Rate", 0)])
+    programme("From", "not level", [("To", 25)])
+    programme("From", "beyond the soil", [("From", -8), ("To", -7)])
+    programme("Load", "none of Tractions/Names", [("Drives", "traction")])
+    programme("Drives", "Water/Side is none", [
+        ("Drives", "water"), ("Water/Side", "none")])
+    programme("Stopped by", "no dyke", [
+        ("Stopped by", "loss of width"), ("Stop above", 1),
+        ("Water/Side", "none"), ("Water/Level", "none")])
+    programme("Stopped by", "no points carry the load", [
+        ("Stopped by", "settlement of the load"), ("Stop above", 1),
+        ("Drives", "water")])
+    programme("Hold above", "is 0", [("Held by", "largest settlement rate")])
+    programme("Table", "no table", [("Kind", "table of time"), ("Table", "2*t")])
+
+
 def walls_and_flow(cases):
     wall, inflow = cases.wall, cases.inflow
     wall("Line", "1, 1", "1 corners")
@@ -596,7 +628,8 @@ def main():
         cases = Cases(program)
         for group in (command_line, files, values, sizes, decimal_commas,
                       numbers_of_the_command_line, texts, grid, tractions,
-                      other_loads, walls_and_flow, three_dimensions, tables,
+                      other_loads, load_programmes, walls_and_flow, three_dimensions,
+                      tables,
                       output_folder, after_a_run):
             group(cases)
         same_as_a_process(cases, real)

@@ -6,8 +6,8 @@ that was not.
 usage: restart.py WAKER SOURCE_DIRECTORY [SEED]
 
 Kills with SIGKILL: several times at moments of a failing dyke that a seed
-chooses, and once inside the window of a stop rule (the dyke is at rest, but not
-yet for long enough). Also ends a run with SIGTERM, which writes a checkpoint of
+chooses, once inside the window of a stop rule (the dyke is at rest, but not
+yet for long enough), and while a load programme grows, waits and has been stopped. Also ends a run with SIGTERM, which writes a checkpoint of
 its own.
 """
 import json
@@ -29,6 +29,9 @@ failing = coarse + ["Materials/clay/Initial strength=8",
 resting = coarse + ["Materials/clay/Initial strength=13",
                     "Materials/clay/Residual strength=5",
                     "Stop rules/Rest duration=3"]
+# The load waits from about 0.5 s on and is stopped soon after.
+loading = ["Grid/Cell size=0.25", "Output/Interval=0.1",
+           "Output/Checkpoint interval=0.05", "Time stepping/End time=1.5"]
 
 
 def command(waker, folder, settings, *flags):
@@ -148,20 +151,25 @@ def damaged_fields(waker, folder):
 
 
 def main():
-    waker = (sys.argv[1], os.path.join(sys.argv[2], "parameters", "chapter5",
-                                       "dyke_weak.prm"))
+    parameters = os.path.join(sys.argv[2], "parameters")
+    dyke = (sys.argv[1], os.path.join(parameters, "chapter5", "dyke_weak.prm"))
+    slope = (sys.argv[1],
+             os.path.join(parameters, "chapter6", "foundation_2d.prm"))
     seed = int(sys.argv[3]) if len(sys.argv) > 3 else 1
     print(f"seed {seed}")
     rng = random.Random(seed)
     ok = True
     with tempfile.TemporaryDirectory() as folder:
-        for name, settings, moments, kill in [
-                ("killed at random while failing", failing,
+        for name, waker, settings, moments, kill in [
+                ("killed at random while failing", dyke, failing,
                  sorted(rng.uniform(0.2, 4.) for _ in range(4)),
                  signal.SIGKILL),
-                ("killed in the window of the stop rule", resting,
+                ("killed in the window of the stop rule", dyke, resting,
                  [rng.uniform(1.5, 3.5)], signal.SIGKILL),
-                ("ended with SIGTERM", failing, [rng.uniform(0.5, 3.)],
+                ("killed under a load that grows", slope, loading,
+                 sorted(rng.uniform(0.1, 1.4) for _ in range(4)),
+                 signal.SIGKILL),
+                ("ended with SIGTERM", dyke, failing, [rng.uniform(0.5, 3.)],
                  signal.SIGTERM)]:
             safe = name.replace(" ", "_")
             whole = os.path.join(folder, safe + "_whole")
@@ -181,7 +189,7 @@ def main():
                 same = a.read() == b.read()
             print(f"  final checkpoint {'equal' if same else 'DIFFERENT'}")
             ok = ok and same
-        ok = damaged_fields(waker, os.path.join(folder, "damaged")) and ok
+        ok = damaged_fields(dyke, os.path.join(folder, "damaged")) and ok
     return 0 if ok else 1
 
 

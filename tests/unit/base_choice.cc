@@ -110,6 +110,11 @@ namespace base_choice
     check_names<TractionKind>(3);
     check_names<TractionFollows>(3);
     check_names<WallType>(2);
+    check_names<Watched>(8);
+    check_names<LoadProgrammeKind>(3);
+    check_names<LoadTarget>(4);
+    check_names<LoadedPoints>(2);
+    check_names<LoadMass>(2);
     check_names<FieldProperty>(2);
     check_names<FieldStatistics>(2);
     check_names<Marginal::Kind>(4);

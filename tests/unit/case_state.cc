@@ -79,6 +79,7 @@ namespace case_state
       state.wall_tractions   = {Tensor<1, dim>(), Point<dim>::unit_vector(1)};
       state.mean_plastic_strain = 2.5;
       state.displacement_rate   = 3.5;
+      state.settlement_rate     = 8.5;
       state.last_dt             = 4.5;
       state.halvings            = 2;
       state.steps_since_change  = 3;
@@ -90,6 +91,8 @@ namespace case_state
       state.tractions.resize(2);
       fill(state.tractions[0], 210.);
       fill(state.tractions[1], 220.);
+      state.loads            = {{1.5, 2.5, 3.5, true, 4.5, 5.5, 6.5},
+                                {7.5, 8.5, 9.5, false, 10.5, 11.5, 12.5}};
       FlowAccount<dim> &flow = state.flow;
       flow.mass_start = 21.5, flow.mass_in = 22.5, flow.mass_out = 23.5;
       double number = 30.;
@@ -132,6 +135,7 @@ namespace case_state
       EXPECT_EQ(copy.wall_tractions, state.wall_tractions);
       EXPECT_EQ(copy.mean_plastic_strain, 2.5);
       EXPECT_EQ(copy.displacement_rate, 3.5);
+      EXPECT_EQ(copy.settlement_rate, 8.5);
       EXPECT_EQ(copy.last_dt, 4.5);
       EXPECT_EQ(copy.halvings, 2u);
       EXPECT_EQ(copy.steps_since_change, 3u);
@@ -143,6 +147,18 @@ namespace case_state
       ASSERT_EQ(copy.tractions.size(), 2u);
       for (unsigned int i = 0; i < 2; ++i)
         EXPECT_TRUE(same_bytes(copy.tractions[i], state.tractions[i])) << i;
+      ASSERT_EQ(copy.loads.size(), 2u);
+      for (unsigned int i = 0; i < 2; ++i)
+        {
+          const LoadRecord &load = copy.loads[i];
+          EXPECT_EQ(load.factor, state.loads[i].factor) << i;
+          EXPECT_EQ(load.time, state.loads[i].time) << i;
+          EXPECT_EQ(load.next, state.loads[i].next) << i;
+          EXPECT_EQ(load.held, state.loads[i].held) << i;
+          EXPECT_EQ(load.held_for, state.loads[i].held_for) << i;
+          EXPECT_EQ(load.stop_time, state.loads[i].stop_time) << i;
+          EXPECT_EQ(load.change_time, state.loads[i].change_time) << i;
+        }
       EXPECT_TRUE(
         same_bytes(copy.failure.inner_slide, state.failure.inner_slide));
       EXPECT_TRUE(

@@ -36,6 +36,8 @@ namespace Waker::output_summary
     summary.parameters_hash      = "abc";
     summary.sliding_masses       = synthetic_masses(3);
     summary.residual_width_z     = 1. / 3.;
+    summary.loads                = {{"soil", "m", 0.35, 1.5, 2.5},
+                                    {"traffic", "-", 2., 0., {}}};
     summary.write(folder.file("summary.json"));
 
     const Summary read = Summary::read(folder.file("summary.json"));
@@ -50,6 +52,14 @@ namespace Waker::output_summary
     EXPECT_EQ(read.unconverged_steps, 2u);
     EXPECT_EQ(read.parameters_hash, "abc");
     EXPECT_EQ(read.residual_width_z, 1. / 3.);
+    ASSERT_EQ(read.loads.size(), 2u);
+    EXPECT_EQ(read.loads[0].name, "soil");
+    EXPECT_EQ(read.loads[0].unit, "m");
+    EXPECT_EQ(read.loads[0].factor, 0.35);
+    EXPECT_EQ(read.loads[0].held_for, 1.5);
+    EXPECT_EQ(read.loads[0].stop_time, 2.5);
+    EXPECT_EQ(read.loads[1].factor, 2.);
+    EXPECT_FALSE(read.loads[1].stop_time.has_value());
     EXPECT_FALSE(read.residual_height_z.has_value());
     ASSERT_TRUE(read.sliding_masses.has_value());
     EXPECT_EQ(read.sliding_masses->failed_volume, 0.1 + 0.2);

@@ -26,6 +26,7 @@ namespace Waker::program_input_files
                          &names.conditions,
                          &names.tractions,
                          &names.point_loads,
+                         &names.load_programmes,
                          &names.walls,
                          &names.inflows,
                          &names.fields})

@@ -201,6 +201,9 @@ namespace program_reading
                        "Soil profile/<name>/Polygon=0,0; 1,0; 1,1; 0,1",
                        "Point loads/<name>/From=0.5, 0.5",
                        "Point loads/<name>/Force=0, -1",
+                       "Load programmes/<name>/From=0.2",
+                       "Load programmes/<name>/To=0.5",
+                       "Load programmes/<name>/Rate=0.1",
                        "Walls/<name>/Line=0, 0; 1, 0",
                        "Inflow/<name>/Material=<name>",
                        "Inflow/<name>/Velocity=1"});

@@ -36,6 +36,10 @@ namespace Waker
     bool
     moves() const;
 
+    /// The least value of a table; of an expression that at t = 0.
+    double
+    least() const;
+
     /// The last time at which its value changes (s): of a table the end of the
     /// last line that is not level; LastChange::never of a constant,
     /// LastChange::unknown of an expression.

@@ -4,6 +4,7 @@
 
 #include <waker/base/numbers.h>
 #include <waker/case/flow.h>
+#include <waker/case/load_programmes.h>
 #include <waker/case/parameters.h>
 #include <waker/loads/tractions.h>
 #include <waker/measures/crest.h>
@@ -43,6 +44,7 @@ namespace Waker
     const Materials                     materials;
     const Flow<dim>                     flow;
     const Fixities<dim>                 fixities;
+    const LoadProgrammes<dim>           programmes;
     const SoilDepths<dim>               depths;
     const double        full_node_mass; // Mg, of a node inside the body
     MaterialPoints<dim> initial_points;
@@ -56,7 +58,7 @@ namespace Waker
     GravityReport                                   gravity_report;
     /// The time at which the loads settle (s), the last one at which any of
     /// them changes: as known from the loads, or as the user says; see
-    /// LastChange.
+    /// LastChange. Of load programmes the records know.
     double last_load_change = LastChange::never;
     /// Where W is measured (m); NaN: nowhere, as there is no level, or no soil
     /// at it.

@@ -2,6 +2,7 @@
 #ifndef waker_case_parameters_h
 #define waker_case_parameters_h
 
+#include <waker/control/load_programme_parameters.h>
 #include <waker/control/parameters.h>
 #include <waker/loads/parameters.h>
 #include <waker/loads/traction_parameters.h>
@@ -57,29 +58,30 @@ namespace Waker
    */
   struct Parameters
   {
-    unsigned int                     dimension = 2;
-    GridParameters                   grid;
-    MaterialPointParameters          points;
-    std::vector<MaterialParameters>  materials;
-    std::vector<LayerParameters>     layers;
-    std::vector<FixityParameters>    fixities;
-    GravityParameters                gravity;
-    WaterParameters                  water;
-    SurfaceParameters                surface;
-    std::vector<TractionParameters>  tractions;
-    std::vector<PointLoadParameters> point_loads;
-    std::vector<WallParameters>      walls;
-    OutflowParameters                outflow;
-    std::vector<OutletParameters>    outlets;
-    std::vector<InflowParameters>    inflows;
-    MappingParameters                mapping;
-    TimeParameters                   time;
-    NewtonParameters                 newton;
-    InitialFailureParameters         initial_failure;
-    SlidingMassParameters            sliding;
-    StopParameters                   stop;
-    StrengthReductionParameters      strength_reduction;
-    OutputParameters                 output;
+    unsigned int                         dimension = 2;
+    GridParameters                       grid;
+    MaterialPointParameters              points;
+    std::vector<MaterialParameters>      materials;
+    std::vector<LayerParameters>         layers;
+    std::vector<FixityParameters>        fixities;
+    GravityParameters                    gravity;
+    WaterParameters                      water;
+    SurfaceParameters                    surface;
+    std::vector<TractionParameters>      tractions;
+    std::vector<PointLoadParameters>     point_loads;
+    std::vector<LoadProgrammeParameters> load_programmes;
+    std::vector<WallParameters>          walls;
+    OutflowParameters                    outflow;
+    std::vector<OutletParameters>        outlets;
+    std::vector<InflowParameters>        inflows;
+    MappingParameters                    mapping;
+    TimeParameters                       time;
+    NewtonParameters                     newton;
+    InitialFailureParameters             initial_failure;
+    SlidingMassParameters                sliding;
+    StopParameters                       stop;
+    StrengthReductionParameters          strength_reduction;
+    OutputParameters                     output;
 
     /// The .prm text of all values used, and its hash: they go with every
     /// output. Set by the reader; `hash` leaves "Output" and "Stop rules" and

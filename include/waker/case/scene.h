@@ -4,6 +4,7 @@
 
 #include <waker/base/last_change.h>
 #include <waker/case/case.h>
+#include <waker/case/driven_loads.h>
 #include <waker/case/state.h>
 #include <waker/loads/facet_load.h>
 #include <waker/loads/tractions.h>
@@ -82,11 +83,11 @@ namespace Waker
     /// The loads at the time (s) of its end, on the surfaces at its start; they
     /// stay as they are if none of them changes in time.
     void
-    set_end_loads(const MaterialPoints<dim> &points, const double time);
+    set_end_loads(const State<dim> &state, const double time);
 
     /// The last time at which one of water, tractions, walls and boundary
     /// conditions changes, or the share of them that acts (s). Those of which
-    /// it is not known count as `unknown`.
+    /// it is not known count as `unknown`. Of load programmes the records know.
     double
     last_load_change(const double unknown = LastChange::unknown) const;
 
@@ -97,6 +98,13 @@ namespace Waker
 
     /// Weight, water, tractions and point loads at a time (s), on the surfaces
     /// found last: the nodes' external force.
+    /// @param records of the load programmes, at the start of the step
+    void
+    set_loads(const MaterialPoints<dim>     &points,
+              const double                   time,
+              const std::vector<LoadRecord> &records);
+
+    /// The same in the first step, as nothing has been observed.
     void
     set_loads(const MaterialPoints<dim> &points, const double time);
 
@@ -124,6 +132,7 @@ namespace Waker
   private:
     const Case<dim> *the_case;
     FacetLoad<dim>   point_loads;
+    DrivenLoads<dim> driven;
   };
 } // namespace Waker
 

@@ -5,6 +5,7 @@
 #include <waker/control/stop_rules.h>
 #include <waker/loads/tractions.h>
 #include <waker/measures/failure_record.h>
+#include <waker/measures/load_record.h>
 #include <waker/measures/sliding_masses.h>
 #include <waker/mechanics/energy.h>
 #include <waker/nodes/wall.h>
@@ -13,6 +14,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace Waker
 {
@@ -35,6 +37,8 @@ namespace Waker
 
     typename Walls<dim>::Tractions wall_tractions; // kPa
 
+    std::vector<LoadRecord> loads; // of the load programmes, one each
+
     FlowAccount<dim> flow;
     EnergyAccount    energy;
     FailureRecord    failure;
@@ -44,6 +48,7 @@ namespace Waker
     // Of the last step, for the stop rules.
     double mean_plastic_strain = 0.;
     double displacement_rate   = 0.; // m/s
+    double settlement_rate     = 0.; // largest of a point, m/s
     double last_dt             = 0.; // s
 
     // The step control: dt = wanted step / 2^halvings.

@@ -75,6 +75,13 @@ namespace Waker
       return items.size();
     }
 
+    /// From now on a traction is this many times its value.
+    void
+    set_factor(const std::size_t i, const double factor)
+    {
+      items[i].factor = factor;
+    }
+
     /// Does any of them change in time while nothing moves?
     bool
     moves() const;
@@ -184,6 +191,7 @@ namespace Waker
       std::vector<typename RidingLoad<dim>::Placed> placed;
       /// Sizes of the nodal forces, and of those on nodes without mass (kN).
       double total = 0., lost = 0.;
+      double factor = 1.; // of a load programme
 
       bool
       rides() const

@@ -8,8 +8,8 @@
 
 namespace Waker
 {
-  /// The level of the water in time: Water/Level + Water/Rise. Where no water
-  /// stands, nothing changes.
+  /// The level of the water in time: Water/Level + Water/Rise, and what a load
+  /// programme adds. Where no water stands, nothing changes.
   class WaterLevel
   {
   public:
@@ -23,10 +23,17 @@ namespace Waker
     double
     at(const double t) const
     {
-      return datum + rise.value(t);
+      return datum + rise.value(t) + added;
     }
 
-    /// Does it depend on the time?
+    /// What a load programme adds from now on (m).
+    void
+    set_added_rise(const double height)
+    {
+      added = height;
+    }
+
+    /// Does it depend on the time, whatever is added?
     bool
     moves() const
     {
@@ -49,7 +56,8 @@ namespace Waker
 
   private:
     bool         stands;
-    double       datum; // m
+    double       datum;      // m
+    double       added = 0.; // m
     TimeFunction rise;
   };
 } // namespace Waker

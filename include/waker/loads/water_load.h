@@ -35,6 +35,13 @@ namespace Waker
       return level_in_time;
     }
 
+    /// What a load programme adds to the level from now on (m).
+    void
+    set_added_rise(const double height)
+    {
+      level_in_time.set_added_rise(height);
+    }
+
     /// From now on the water stands as at time t (s), and wets what it reaches
     /// of these surfaces.
     void

@@ -20,6 +20,16 @@ namespace Waker
     std::optional<double> crest_cut;  // x, m; empty: it left the crest alone
   };
 
+  /// How far a load programme has got.
+  struct LoadSummary
+  {
+    std::string           name;
+    std::string           unit; // of the factor
+    double                factor   = 0.;
+    double                held_for = 0.; // time that it has waited, s
+    std::optional<double> stop_time; // s; then the factor is the ultimate load
+  };
+
   /**
    * What came out of a run: summary.json. Its keys are the names of the
    * members; slides and times that did not occur, and numbers that are not
@@ -69,6 +79,9 @@ namespace Waker
     std::uint64_t particles         = 0;
     /// Tractions that at some time had no surface left to load.
     std::uint64_t vanished_tractions = 0;
+
+    /// One for each load programme; earlier versions had none.
+    std::vector<LoadSummary> loads;
 
     double wall_time = 0.; // s
 

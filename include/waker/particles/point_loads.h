@@ -33,6 +33,15 @@ namespace Waker
     check(const unsigned int dim) const;
   };
 
+  /// Share of each point in a load (-), by volume; their sum is 1, or 0 without
+  /// points.
+  /// @throws UserError "Point loads/<name>/From" if no point is there
+  template <int dim>
+  std::vector<double>
+  shares_of_points(const PointLoadParameters &load,
+                   const double               cell_size,
+                   const MaterialPoints<dim> &points);
+
   /// Give the points their share of the loads (MaterialPoints::load).
   /// @throws UserError "Point loads/<name>/From" if no point is there
   template <int dim>

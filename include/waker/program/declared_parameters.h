@@ -21,15 +21,16 @@ namespace Waker
   /// The names that the user gives to subsections.
   struct ParameterNames
   {
-    std::vector<std::string> materials;   // Materials/Names
-    std::vector<std::string> layers;      // Soil profile/Layers
-    std::vector<std::string> conditions;  // Boundary conditions/Names
-    std::vector<std::string> tractions;   // Tractions/Names
-    std::vector<std::string> point_loads; // Point loads/Names
-    std::vector<std::string> walls;       // Walls/Names
-    std::vector<std::string> outlets;     // Outflow/Names
-    std::vector<std::string> inflows;     // Inflow/Names
-    std::vector<std::string> fields;      // Random fields/Names
+    std::vector<std::string> materials;       // Materials/Names
+    std::vector<std::string> layers;          // Soil profile/Layers
+    std::vector<std::string> conditions;      // Boundary conditions/Names
+    std::vector<std::string> tractions;       // Tractions/Names
+    std::vector<std::string> point_loads;     // Point loads/Names
+    std::vector<std::string> load_programmes; // Load programmes/Names
+    std::vector<std::string> walls;           // Walls/Names
+    std::vector<std::string> outlets;         // Outflow/Names
+    std::vector<std::string> inflows;         // Inflow/Names
+    std::vector<std::string> fields;          // Random fields/Names
   };
 
   /// A section with a list of names and a subsection for each of them.

@@ -23,17 +23,22 @@ namespace Waker
   std::string
   geometry_text(const FailureRecord &failure);
 
+  /// "foundation: 0.31 m, stopped at t = 2.4 s".
+  std::string
+  load_text(const LoadRecord &load, const LoadName &name);
+
   /// What came out, in a few lines.
   /// @param wall_time, steps_done of this start of the program
   template <int dim>
   void
-  describe_result(const State<dim>   &state,
-                  const Outcome       outcome,
-                  const Unrest       &unrest,
-                  const std::string  &reason,
-                  const double        wall_time,
-                  const std::uint64_t steps_done,
-                  Log                &log);
+  describe_result(const State<dim>            &state,
+                  const std::vector<LoadName> &load_names,
+                  const Outcome                outcome,
+                  const Unrest                &unrest,
+                  const std::string           &reason,
+                  const double                 wall_time,
+                  const std::uint64_t          steps_done,
+                  Log                         &log);
 } // namespace Waker
 
 #endif

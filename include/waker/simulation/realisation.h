@@ -6,6 +6,7 @@
 #include <waker/case/scene.h>
 #include <waker/case/state.h>
 #include <waker/control/outcome.h>
+#include <waker/measures/settlements.h>
 #include <waker/mechanics/time_scheme.h>
 #include <waker/observers/observer.h>
 #include <waker/simulation/carried.h>
@@ -59,10 +60,15 @@ namespace Waker
     void
     measure();
 
+    /// The last time at which any load changes (s), as known by now.
+    double
+    last_load_change() const;
+
     const Case<dim> *the_case;
     State<dim>      *state;
     Scene<dim>       scene;
     Carried<dim>     carried;
+    Settlements<dim> settlements;
     /// If sliding masses are watched.
     std::optional<SlidingMassFinder<dim>> slides;
     StepControl<dim>                      control;

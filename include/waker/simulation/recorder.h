@@ -51,6 +51,7 @@ namespace Waker
 
     void
     write_summary(const State<dim>               &state,
+                  const std::vector<LoadName>    &load_names,
                   const Outcome                   outcome,
                   const Unrest                   &unrest,
                   const std::string              &stop_reason,
