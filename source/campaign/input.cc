@@ -36,8 +36,8 @@ namespace Waker
   Input::check() const
   {
     simulation.check();
-    const unsigned int dim = simulation.dimension;
-    reliability.check(dim);
+    // The fields of a section are those of its case in space.
+    reliability.check(simulation.in_space ? 3 : simulation.dimension);
 
     // No width or height of a dyke is larger than the box.
     const HistogramParameters &bins       = reliability.analysis.histograms;

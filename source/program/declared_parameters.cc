@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/parameter_handler.h>
 
+#include <waker/base/expression_pattern.h>
 #include <waker/campaign/input.h>
 #include <waker/program/declared_parameters.h>
 #include <waker/program/prm_scanner.h>
@@ -139,6 +140,12 @@ namespace Waker
                       "2: plane strain, per metre. 3: layers are extruded "
                       "along z.",
                       Patterns::Integer(2, 3));
+    prm.add_parameter("Cross-section",
+                      parameters.cross_section,
+                      "z (m) of a section through a case of three dimensions, "
+                      "which is computed instead of it, in plane strain, with "
+                      "its random fields as they are there; or none.",
+                      NumberOrWordPattern("none"));
     declare_section(prm, "Grid", parameters.grid);
     declare_section(prm, "Material points", parameters.points);
     declare_named(prm,

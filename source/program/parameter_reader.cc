@@ -4,6 +4,7 @@
 #include <waker/base/errors.h>
 #include <waker/base/read_file.h>
 #include <waker/campaign/input.h>
+#include <waker/case/cross_section.h>
 #include <waker/program/declared_parameters.h>
 #include <waker/program/parameter_hash.h>
 #include <waker/program/parameter_names.h>
@@ -161,6 +162,7 @@ namespace Waker
       try
         {
           input->check();
+          take_cross_section(input->simulation);
           input->simulation.hash = hash_of_steps(values, files);
           input->campaign_hash   = hash_of_records(values, files);
         }

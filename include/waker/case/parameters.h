@@ -2,6 +2,7 @@
 #ifndef waker_case_parameters_h
 #define waker_case_parameters_h
 
+#include <waker/base/numbers.h>
 #include <waker/control/load_programme_parameters.h>
 #include <waker/control/parameters.h>
 #include <waker/loads/parameters.h>
@@ -16,6 +17,7 @@
 #include <waker/particles/soil_profile.h>
 #include <waker/surface/parameters.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -58,7 +60,10 @@ namespace Waker
    */
   struct Parameters
   {
-    unsigned int                         dimension = 2;
+    unsigned int dimension = 2;
+    /// Of a case in space: z (m) of the section to be computed in plane strain,
+    /// or "none". See case/cross_section.h.
+    std::string                          cross_section = "none";
     GridParameters                       grid;
     MaterialPointParameters              points;
     std::vector<MaterialParameters>      materials;
@@ -82,6 +87,10 @@ namespace Waker
     StopParameters                       stop;
     StrengthReductionParameters          strength_reduction;
     OutputParameters                     output;
+
+    /// If this is the section of a case in space: that case, and z (m).
+    std::shared_ptr<const Parameters> in_space;
+    double                            section_z = nan;
 
     /// The .prm text of all values used, and its hash: they go with every
     /// output. Set by the reader; `hash` leaves "Output" and "Stop rules" and
