@@ -430,8 +430,8 @@ def load_programmes(cases):
         values = dict(usual, **{name: value for name, value in settings
                                 if "/" not in name})
         others = [f"{name}={value}" for name, value in settings if "/" in name]
-        check(f"load programme: {entry}", f"^--set {path}{entry}$|^{path}{entry}$",
-              text,
+        check(f"load programme: {entry}",
+              f"(^--set |default of ){path}{entry}[)]?$", text,
               ["run", good, *PROGRAMME,
                *sets(*others, *(f"{path}{name}={value}"
                                 for name, value in values.items()))])
