@@ -16,7 +16,7 @@ namespace Waker
     constexpr double trace_resolution = 0.02;
 
     /// Raised when what is stored changes.
-    constexpr unsigned int this_layout = 1;
+    constexpr unsigned int this_layout = 2;
 
 
     template <typename Archive>
