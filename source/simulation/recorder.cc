@@ -28,7 +28,7 @@ namespace Waker
     struct Progress
     {
       /// Raised when what is stored, or in State, changes.
-      static constexpr unsigned int this_layout = 3;
+      static constexpr unsigned int this_layout = 4;
 
       std::string           state;
       StopParameters        stop; // by which state.rest was found
