@@ -140,6 +140,11 @@ namespace Waker
       record.residual_height_z = state.failure.geometry.height_z;
     if (the_case.parameters.sliding.watch)
       record.sliding_masses = state.sliding;
+    if (!state.loads.empty())
+      {
+        record.load           = state.loads.front().factor;
+        record.load_stop_time = state.loads.front().stop_time;
+      }
     record.steps += state.step;
     record.newton_iterations += state.newton_iterations;
     record.linear_iterations += state.linear_iterations;

@@ -126,9 +126,8 @@ namespace Waker
     Input                          input;
     ParameterHandler               prm;
     const std::vector<std::string> name = {"<name>"};
-    declare_parameters(prm,
-                       input,
-                       {name, name, name, name, name, name, name, name, name});
+    declare_parameters(
+      prm, input, {name, name, name, name, name, name, name, name, name, name});
 
     const auto style = ParameterHandler::KeepDeclarationOrder;
     switch (format)

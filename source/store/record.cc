@@ -47,6 +47,8 @@ namespace Waker
       f("sliding_masses", s.sliding_masses, any);
       f("residual_width_z", s.residual_width_z, length);
       f("residual_height_z", s.residual_height_z, length);
+      f("load", s.load, any);
+      f("load_stop_time", s.load_stop_time, event_time);
     }
 
 

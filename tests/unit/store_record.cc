@@ -56,6 +56,7 @@ namespace Waker::store_record
         record.mean_strength     = number();
         record.residual_width    = 0.1 + 0.2;
         record.residual_width_z  = 1. / 3.;
+        record.load              = 0.7;
         record.residual_height_z = -0.1;
         record.wall_time         = std::abs(number());
         record.field_time        = std::abs(number());
@@ -71,6 +72,8 @@ namespace Waker::store_record
         EXPECT_EQ(copy.mean_strength, record.mean_strength);
         EXPECT_EQ(copy.residual_width, record.residual_width);
         EXPECT_EQ(copy.residual_width_z, record.residual_width_z);
+        EXPECT_EQ(copy.load, 0.7);
+        EXPECT_FALSE(copy.load_stop_time);
         EXPECT_EQ(copy.residual_height_z, record.residual_height_z);
         EXPECT_EQ(copy.wall_time, record.wall_time);
         EXPECT_EQ(copy.field_time, record.field_time);

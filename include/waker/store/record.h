@@ -68,6 +68,12 @@ namespace Waker
     /// If they were watched.
     std::optional<SlidingMasses> sliding_masses;
 
+    /// Of the first load programme, if there is one: its factor at the end, in
+    /// its unit, and when it was stopped for good (s; -1: never): then it is
+    /// the ultimate load.
+    std::optional<double> load;
+    std::optional<double> load_stop_time;
+
     /// Only if the dyke failed: the geometry whenever it changes by more than
     /// 0.02 m, with the last moment before the change, the first and the last.
     std::vector<TracePoint> trace;
