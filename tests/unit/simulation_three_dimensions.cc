@@ -99,11 +99,12 @@ namespace simulation_three_dimensions
 
 
   /**
-   * Timoshenko's beam: q L^4 / (8 E I) + q L^2 / (2 k G A), k = 5/6. Standard
-   * trilinear cells carry a bending moment with a shear that is not there: with
-   * n of them over the depth and Poisson's ratio 0 they are stiffer by the
-   * factor 1 + 1/(2 n^2). What is left is of second order, too; the beam's own
-   * theory is good to (depth/length)^2 of the second term, 0.2 %.
+   * Timoshenko's beam: q L^4 / (8 E I) + q L^2 / (2 k G A), k = 5/6. With n
+   * cells over the depth and Poisson's ratio 0, a cell bends about its own
+   * centre with a stiffness of 1 / n^2 of the whole. GIMP's gradients are means
+   * over half a cell and have 3/4 of it; a shear that is not there adds 3/8;
+   * B-bar takes the volumetric third of the 3/4 away. Together the bar is
+   * softer by 1 / (8 n^2). Twice that is allowed; it is of second order.
    */
   TEST(SimulationThreeDimensions, ABarBendsLikeABeam)
   {
@@ -113,17 +114,15 @@ namespace simulation_three_dimensions
     const double bending = q * std::pow(length, 4) / (8. * stiffness * inertia);
     const double shear =
       q * length * length / (2. * 5. / 6. * stiffness / 2. * area);
-    std::vector<double> ratio;
+    std::vector<double> error;
     for (const auto &[h, n] :
          {std::make_pair("0.125", 4), std::make_pair("0.0625", 8)})
       {
-        const double stiff = bending / (1. + 1. / (2. * n * n)) + shear;
-        ratio.push_back(sag(h) / stiff);
-        std::cout << "sag " << h << " " << sag(h) / (bending + shear) << " "
-                  << ratio.back() << std::endl;
+        error.push_back(sag(h) / (bending + shear) - 1.);
+        EXPECT_LT(std::abs(error.back()), 0.25 / (n * n)) << h;
       }
-    EXPECT_NEAR(ratio[0], 1., 0.02);
-    EXPECT_NEAR(ratio[1], 1., 0.005);
+    EXPECT_GT(error[0], 3. * error[1]); // 5.4 today
+    EXPECT_GT(error[1], 0.);
   }
 
 
@@ -198,8 +197,6 @@ namespace simulation_three_dimensions
       }
     EXPECT_GT(moved, 0.02); // it slides
     EXPECT_GT(plastic, 0.01);
-    std::cout << position << " " << stress << " " << strain << " " << sideways
-              << " " << moved << " " << plastic << std::endl;
     EXPECT_LT(position, 1e-8 * moved);
     EXPECT_LT(stress, 1e-7);
     EXPECT_LT(strain, 1e-8);
