@@ -83,7 +83,8 @@ namespace Waker
     {
       const bool is_entry =
         name == named.list ||
-        (named.section == "Random fields" && name == "Correlations");
+        (named.section == "Random fields" && name == "Correlations") ||
+        (named.section == "Outflow" && name == "Faces");
       if (name.empty() || is_entry || name.find('/') != std::string::npos)
         return " is no name";
       if (name.size() > longest_name)

@@ -112,21 +112,25 @@ namespace campaign_cross_section
   TEST(CrossSection, is_refused_where_there_is_none)
   {
     EXPECT_NO_THROW(read({"Cross-section=0"}));
-    EXPECT_USER_ERROR(read({"Cross-section=8"}), "Cross-section", "is 8 m");
-    EXPECT_USER_ERROR(read({"Cross-section=-0.1"}), "Cross-section", "-0.1");
+    EXPECT_USER_ERROR(read({"Cross-section=8"}),
+                      "--set Cross-section",
+                      "is 8 m");
+    EXPECT_USER_ERROR(read({"Cross-section=-0.1"}),
+                      "--set Cross-section",
+                      "-0.1");
     EXPECT_USER_ERROR(read(
                         {"Cross-section=4", "Soil profile/slope/Extent=0, 2"}),
-                      "Cross-section",
+                      "--set Cross-section",
                       "where no layer is");
     EXPECT_USER_ERROR(read_scenarios(WAKER_SOURCE_DIRECTORY
                                      "/parameters/chapter5/dyke.prm",
                                      {"Cross-section=4"}),
-                      "Cross-section",
+                      "--set Cross-section",
                       "Dimension is 2");
     EXPECT_USER_ERROR(read_scenarios(WAKER_SOURCE_DIRECTORY
                                      "/parameters/chapter6/dyke_3d.prm",
                                      {"Cross-section=4"}),
-                      "Cross-section",
+                      "--set Cross-section",
                       "height map");
   }
 } // namespace campaign_cross_section

@@ -22,6 +22,7 @@ namespace campaign_three_dimensions
          "Grid/Lower corner=-6, 0, 0",
          "Grid/Upper corner=42, 6, 4",
          "Grid/Cell size=1",
+         "Surface/Prismatic=true",
          "Random fields/strength/Scales of fluctuation=8, 1, 2",
          "Random fields/strength/Correlation function=separable Markov",
          "Time stepping/End time=0.05"});

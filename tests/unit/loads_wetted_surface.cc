@@ -125,7 +125,8 @@ namespace loads_wetted_surface
     EXPECT_EQ(n_wet("left", 2.5), 1u);
     EXPECT_EQ(n_wet("left", 3.5), 3u);
     EXPECT_EQ(n_wet("right", 2.5), 1u);
-    EXPECT_EQ(n_wet("none", 2.5), 0u);
+    EXPECT_EQ(make_wet_surface(grid, WaterSide::none, SurfaceParameters()),
+              nullptr);
     EXPECT_EQ(n_wet("left", 0.), 0u);
     EXPECT_EQ(n_wet("left", -1.), 0u);
     // A crest at the level keeps the water out, also if round-off lifts it.

@@ -197,7 +197,9 @@ end
                           {"base", "side"},
                           {"wind"},
                           {"man"},
+                          {"grows"},
                           {"wall"},
+                          {"out"},
                           {"in"},
                           {"strength"}});
       parameters = declared_parameters(prm);

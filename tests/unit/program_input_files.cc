@@ -74,6 +74,8 @@ namespace Waker::program_input_files
     EXPECT_EQ(found,
               (std::set<std::string>{"Random fields/name/Measurements",
                                      "Risk/Level table",
+                                     "Soil profile/name/Bottom",
+                                     "Soil profile/name/Top",
                                      "Tractions/name/Surface file"}));
   }
 

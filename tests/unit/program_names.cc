@@ -121,6 +121,8 @@ namespace program_names
                                     "Random fields/Correlations/Mean=1"})
                            .problem,
                          "no name"));
+    EXPECT_TRUE(contains(complaint(good_case, {"Outflow/Names=Faces"}).problem,
+                         "no name"));
     // The sections with names have no other entries than these.
     for (const NamedSection &named : named_sections)
       {
@@ -128,7 +130,8 @@ namespace program_names
         const PrmContents  contents = scan_prm(stream, "text");
         for (const PrmEntry &entry : contents.entries)
           EXPECT_TRUE(entry.section != named.section ||
-                      entry.name == named.list || entry.name == "Correlations")
+                      entry.name == named.list ||
+                      entry.name == "Correlations" || entry.name == "Faces")
             << entry.path();
       }
   }

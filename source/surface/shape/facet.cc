@@ -95,8 +95,8 @@ namespace Waker
                                 Point<3>(b[0], b[1], front),
                                 Point<3>(a[0], a[1], front)};
         for (const auto &vertices :
-             {std::array<Point<3>, 3>{{x[0], x[2], x[1]}},
-              {{x[0], x[3], x[2]}}})
+             {std::array<Point<3>, 3>{{x[0], x[1], x[2]}},
+              {{x[0], x[2], x[3]}}})
           {
             facets.push_back(make_facet<3>(vertices, segment.on_face));
             facets.back().in_hole = segment.in_hole;
