@@ -139,8 +139,7 @@ namespace program_names
 
   TEST(Program, values_that_no_file_could_hold_are_refused)
   {
-    for (const std::string value :
-         {"out#1", "out\\", "D\xFCne", std::string("a\x01z").c_str()})
+    for (const std::string value : {"out#1", "out\\", "D\xFCne", "a\x01z"})
       {
         const UserError error =
           complaint(good_case, {"Output/Directory=" + value});
