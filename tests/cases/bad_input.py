@@ -201,9 +201,9 @@ def values(cases):
     set_value("tolerance", "Newton/Tolerance", 0, "is 0")
     set_value("edge of the crest", "Sliding masses/Crest edge", "left",
               '"left"')
-    # The crest is that of x = 5 to 15 m.
+    # The crest is that of x = 5 to 15 m, by the domains of its points.
     set_value("edge off the crest", "Sliding masses/Crest edge", 15.5,
-              "is 15.5 m, but the crest reaches from x = 5")
+              "is 15.5 m, but the crest reaches from x = 4.89")
     set_value("water above crest", "Water/Level", 5.5,
               "not below the crest at 5 m")
     set_value("water at the crest", "Water/Level", 5,

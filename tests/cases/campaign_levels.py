@@ -21,6 +21,7 @@ from campaign_case import TIMINGS, Campaign, Checks
 # Columns of tables and variables of the store that are levels.
 LEVELS = {"water_level", "crest_level", "base_level", "initial_height",
           "residual_height", "height_after_first_slide", "slide_height",
+          "mass_y",
           "hydraulicload"}
 # Names of the scenarios.
 NAMES = {"value", "scenario_value", "scenario_hash", "hash"}

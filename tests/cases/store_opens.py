@@ -64,6 +64,8 @@ VARIABLES = {
         "residual_width_z", "residual_height_z")},
     "relative_failure_volume": (PLANE, "f8", "1"),
     "first_mass_time": (PLANE, "f8", "s"),
+    "load": (PLANE, "f8", "1"),
+    "load_stop_time": (PLANE, "f8", "s"),
     "mass_time": (MASSES, "f8", "s"),
     "mass_volume": (MASSES, "f8", "m3"),
     **{"mass_" + name: (MASSES, "f8", "m") for name in (

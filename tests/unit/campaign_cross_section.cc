@@ -127,10 +127,12 @@ namespace campaign_cross_section
                                      {"Cross-section=4"}),
                       "--set Cross-section",
                       "Dimension is 2");
-    EXPECT_USER_ERROR(read_scenarios(WAKER_SOURCE_DIRECTORY
-                                     "/parameters/chapter6/dyke_3d.prm",
-                                     {"Cross-section=4"}),
-                      "--set Cross-section",
-                      "height map");
+    EXPECT_USER_ERROR(
+      read_scenarios(WAKER_SOURCE_DIRECTORY "/parameters/chapter6/dyke_3d.prm",
+                     {"Cross-section=4",
+                      "Soil profile/dyke/Top=" WAKER_SOURCE_DIRECTORY
+                      "/parameters/chapter6/dyke_3d.csv"}),
+      "--set Cross-section",
+      "height map");
   }
 } // namespace campaign_cross_section
