@@ -8,6 +8,9 @@ namespace Waker
 {
   namespace
   {
+    // Half a square, but no domain that only touches a square reaches into it.
+    constexpr double touch = 0.5 - 1e-6;
+
     struct Range
     {
       int begin, end;
@@ -40,32 +43,48 @@ namespace Waker
     height.assign(n_x * n_z, grid.lower_corner()[1]);
     point.assign(n_x * n_z, none);
 
+    // What reaches highest over the middles; where nothing does, into squares.
+    std::vector<double> middle_height = height, square_height = height;
+    std::vector<int>    over_middle = point, in_square = point;
     for (std::size_t p = 0; p < points.n_points(); ++p)
+      for (const bool whole : {false, true})
+        {
+          const Point<dim>     &centre = points.position[p];
+          const Tensor<1, dim> &half   = points.half_size[p];
+          const double          top    = centre[1] + half[1];
+          // A square is reached into where a domain that is half a square
+          // longer at both ends covers its middle.
+          const auto squares = [&](const unsigned int d,
+                                   const double       lower,
+                                   const unsigned int n) {
+            const double reach = half[d] + (whole ? touch * side : 0.);
+            return middles_in((centre[d] - reach - lower) / side,
+                              (centre[d] + reach - lower) / side,
+                              n);
+          };
+          const Range columns = squares(0, x, n_x);
+          const Range rows = dim == 3 ? squares(dim - 1, z, n_z) : Range{0, 1};
+          std::vector<double> &heights = whole ? square_height : middle_height;
+          std::vector<int>    &seen    = whole ? in_square : over_middle;
+          for (int k = rows.begin; k < rows.end; ++k)
+            for (int i = columns.begin; i < columns.end; ++i)
+              {
+                const unsigned int square = k * n_x + i;
+                if (seen[square] == none || top > heights[square] ||
+                    (top == heights[square] &&
+                     points.id[p] < points.id[seen[square]]))
+                  {
+                    seen[square]    = static_cast<int>(p);
+                    heights[square] = top;
+                  }
+              }
+        }
+    for (std::size_t square = 0; square < point.size(); ++square)
       {
-        const Point<dim>     &centre = points.position[p];
-        const Tensor<1, dim> &half   = points.half_size[p];
-        const double          top    = centre[1] + half[1];
-
-        const Range columns = middles_in((centre[0] - half[0] - x) / side,
-                                         (centre[0] + half[0] - x) / side,
-                                         n_x);
-        const Range rows =
-          dim == 3 ? middles_in((centre[dim - 1] - half[dim - 1] - z) / side,
-                                (centre[dim - 1] + half[dim - 1] - z) / side,
-                                n_z)
-                   : Range{0, 1};
-        for (int k = rows.begin; k < rows.end; ++k)
-          for (int i = columns.begin; i < columns.end; ++i)
-            {
-              const unsigned int square = k * n_x + i;
-              int               &seen   = point[square];
-              if (seen == none || top > height[square] ||
-                  (top == height[square] && points.id[p] < points.id[seen]))
-                {
-                  seen           = static_cast<int>(p);
-                  height[square] = top;
-                }
-            }
+        const bool is_covered = over_middle[square] != none;
+        point[square] = is_covered ? over_middle[square] : in_square[square];
+        height[square] =
+          is_covered ? middle_height[square] : square_height[square];
       }
   }
 

@@ -103,22 +103,30 @@ namespace Waker::measures_top_view
   }
 
 
-  TEST(TopView, a_point_is_seen_where_it_covers_the_middle)
+  TEST(TopView, a_point_is_seen_where_it_covers_the_middle_or_else_reaches_to)
   {
     const BackgroundGrid<3> grid = make_grid<3>();
-    // 0.4 of a square further along x, 0.6 along z: still square (3, 2).
+    // 0.4 of a square further along x, 0.6 along z: over the middle of square
+    // (3, 2), and a part of each neighbour at one side.
     MaterialPoints<3> points;
     add_point(points, 3.4, 0, 1.6, 7);
-    const TopView<3> view(grid, points);
+    const auto seen = [&](const unsigned int i, const unsigned int k) {
+      const TopView<3> view(grid, points);
+      return view.has_soil(i, k) ? points.id[view.point[k * 8 + i]]
+                                 : std::uint64_t(0);
+    };
     for (unsigned int k = 0; k < 4; ++k)
       for (unsigned int i = 0; i < 8; ++i)
-        EXPECT_EQ(view.has_soil(i, k), i == 3 && k == 2);
+        EXPECT_EQ(seen(i, k),
+                  (i == 3 || i == 4) && (k == 1 || k == 2) ? 7u : 0u);
 
-    // Twice as long along x it covers two middles, at any offset.
-    points.half_size[0][0] *= 2.;
-    const TopView<3> longer(grid, points);
-    EXPECT_EQ(std::count(longer.point.begin(), longer.point.end(), 0), 2);
-    EXPECT_TRUE(longer.has_soil(3, 2) && longer.has_soil(4, 2));
+    // A lower one is seen where it covers a middle, a higher one of which
+    // only a part is there is not.
+    points.position[0][1] += side;
+    add_point(points, 4., 0, 2., 8);
+    EXPECT_EQ(seen(3, 2), 7u);
+    EXPECT_EQ(seen(4, 2), 8u);
+    EXPECT_EQ(seen(4, 1), 7u);
   }
 
 

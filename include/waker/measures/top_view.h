@@ -14,13 +14,15 @@ namespace Waker
    * of the grid, over its box. In 2D it is one row of them along x.
    *
    * What is seen in a square is the point whose domain (position +- half size)
-   * reaches highest over the square's middle. Of several that reach equally
-   * high it is the one with the smallest id, whatever their order.
+   * reaches highest over the square's middle or, where none covers that (soil
+   * that has spread), highest of those that reach into the square. Of several
+   * that reach equally high it is the one with the smallest id, whatever their
+   * order.
    */
   template <int dim>
   struct TopView
   {
-    /// The square's place if no soil is under its middle.
+    /// What is seen in a square without soil.
     static constexpr int none = -1;
 
     double       side; // of a square, m
