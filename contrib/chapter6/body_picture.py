@@ -168,6 +168,6 @@ class BodyPicture:
             axes.text(line[1, 0], line[1, 1] + 0.1, "y (m)", ha="center",
                       va="bottom", fontsize=7)
         else:
-            middle = self.seen([0.5 * (begin + end) + 3.2 * away])[0]
+            middle = self.seen([0.5 * (begin + end) + 4.4 * away])[0]
             axes.text(*middle, f"{name} (m)", ha="center", va="center",
                       fontsize=7)

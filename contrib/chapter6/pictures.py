@@ -15,7 +15,7 @@ plastic_strain, undrained_shear_strength).
 
 The body: each point is a cube of its volume. From above: soil of sliding masses
 in the colour of its number if they are watched, else the field; shaded by a
-light from the upper left; lines of ground_lines.pvd.
+light from the reader's left; lines of ground_lines.pvd.
 """
 
 import argparse
@@ -44,7 +44,7 @@ WIDTH = 10.0  # inches
 BODY_SHARE = 0.56
 SLIDE_COLOURS = plt.get_cmap("Set1").colors
 LINES = {0: ("end of the crest", "black", "-"),
-         1: ("scarp", "darkred", "-"),
+         1: ("scarp", "darkviolet", "-"),
          2: ("moved by 1.25 cells", "black", "--")}
 
 
@@ -77,7 +77,7 @@ def draw_top_view(axes, frame, field, colours, norm):
     is seen. Returns the numbers of the slides that are there."""
     top = frame.top_view
     height = top.raster("height")
-    shade = LightSource(azdeg=315, altdeg=40).hillshade(
+    shade = LightSource(azdeg=225, altdeg=50).hillshade(
         np.where(np.isnan(height), np.nanmin(height), height),
         dx=top.side, dy=top.side, vert_exag=0.6)
     slides = []

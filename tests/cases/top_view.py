@@ -9,11 +9,14 @@ lines on the ground, in 3D. (That a resumed run leaves the same files: restart.p
 import base64
 import os
 import re
+import shutil
 import struct
+import subprocess
 import sys
 import tempfile
 import zlib
 
+import matplotlib.pyplot as plt
 import meshio
 import numpy as np
 from runs import Check, run
@@ -171,8 +174,32 @@ def check_lines(check, folder):
     check("  and have all points", ends[-1], len(kinds), len(kinds))
 
 
+def check_picture(check, source, folder):
+    if not (shutil.which("pvbatch") and shutil.which("xvfb-run")):
+        print("no pvbatch: no picture drawn")
+        return
+    picture = os.path.join(folder, "pairs.png")
+    done = subprocess.run(
+        ["xvfb-run", "-a", "-s", "-screen 0 1600x1200x24 -noreset", "pvbatch",
+         os.path.join(source, "contrib", "chapter6", "pictures.py"), folder,
+         picture, "--times", "0", "1.6", "--field", "displacement_x"],
+        check=False, text=True, stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT)
+    good = done.returncode == 0 and "rror" not in done.stdout
+    if not good:
+        print(done.stdout)
+    check("picture drawn", good, 1, 1)
+    pixels = plt.imread(picture)[..., :3]
+    # 10 inches at 200 dpi; the body on the left has many colours.
+    check("  pixels across", pixels.shape[1], 2000, 2000)
+    body = pixels[:, :pixels.shape[1] // 2].reshape(-1, 3)
+    coloured = body[np.ptp(body, axis=1) > 0.1]
+    check("  its body", len(coloured) / len(body), 0.05, 0.9)
+    check("  in colours", len(np.unique(coloured.round(2), axis=0)), 100, 1e9)
+
+
 def main():
-    waker = sys.argv[1]
+    waker, source = sys.argv[1:3]
     check = Check()
     with tempfile.TemporaryDirectory() as folder:
         case = os.path.join(folder, "body.prm")
@@ -182,6 +209,7 @@ def main():
         run(waker, case, whole)
         check_views(check, whole, "a body", True)
         check_lines(check, whole)
+        check_picture(check, source, whole)
 
         plane = os.path.join(folder, "plane.prm")
         with open(plane, "w", encoding="utf-8") as file:
