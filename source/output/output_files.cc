@@ -25,8 +25,14 @@ namespace Waker
                                                     "strength_reduction.csv",
                                                     "strength_reduction.json"}};
 
-    const std::array<std::string, 5> series_names = {
-      {"particles", "surface", "tractions", "walls", "grid"}};
+    const std::array<std::string, n_field_series> series_names = {
+      {"particles",
+       "surface",
+       "tractions",
+       "walls",
+       "grid",
+       "top_view",
+       "ground_lines"}};
 
     const std::string frames      = "solution";
     const std::string checkpoints = "checkpoints";

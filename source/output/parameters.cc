@@ -35,6 +35,14 @@ namespace Waker
                       grid,
                       "Write grid.pvd: the background grid.",
                       Patterns::Bool());
+    prm.add_parameter(
+      "Top view",
+      top_view,
+      "Write top_view.pvd: the ground as seen from above, two by two squares "
+      "a cell of the grid, each with the fields of the point that lies "
+      "highest there; in 3D also ground_lines.pvd: where the crest ends, "
+      "scarps, and the outline of what has moved.",
+      Patterns::Bool());
     prm.add_parameter("Checkpoint interval",
                       checkpoint_interval,
                       "Simulated time between checkpoints (s). 0: only when "

@@ -2,8 +2,8 @@
 #include <waker/output/particle_writer.h>
 #include <waker/particles/material_points.h>
 
+#include "point_fields.h"
 #include "vtu.h"
-#include <cmath>
 
 namespace Waker
 {
@@ -15,53 +15,11 @@ namespace Waker
                   const PointVectors<dim>   &vectors)
   {
     VtuFile file(VtuFile::Cell::vertex);
-    file.add_scalar("id", "", VtuFile::Type::id);
-    file.add_scalar("material", "", VtuFile::Type::number);
-    file.add_scalar("mass", "Mg");
-    file.add_scalar("volume", dim == 2 ? "m^2" : "m^3");
-    file.add_vector("displacement", "m");
-    file.add_vector("velocity", "m/s");
-    for (const char *const name : {"stress_xx",
-                                   "stress_yy",
-                                   "stress_zz",
-                                   "stress_xy",
-                                   "stress_xz",
-                                   "stress_yz",
-                                   "mean_stress",
-                                   "deviatoric_stress"})
-      file.add_scalar(name, "kPa");
-    for (const NamedArray &scalar : points.scalars)
-      file.add_scalar(scalar.name, "");
-    for (const PointVector<dim> &vector : vectors)
-      {
-        AssertDimension(vector.values->size(), points.n_points());
-        file.add_vector(vector.name, vector.unit);
-      }
-
+    add_point_fields(file, points, vectors);
     for (std::size_t p = 0; p < points.n_points(); ++p)
       {
         file.add_point(points.position[p]);
-        file.add_value(static_cast<double>(points.id[p]));
-        file.add_value(points.material[p]);
-        file.add_value(points.mass[p]);
-        file.add_value(points.volume[p]);
-        file.add_value(points.position[p] - points.initial_position[p]);
-        file.add_value(points.velocity[p]);
-
-        const SymmetricTensor<2, 3> &stress = points.stress[p];
-        for (unsigned int d = 0; d < 3; ++d)
-          file.add_value(stress[d][d]);
-        file.add_value(stress[0][1]);
-        file.add_value(stress[0][2]);
-        file.add_value(stress[1][2]);
-        const SymmetricTensor<2, 3> s = deviator(stress);
-        file.add_value(-trace(stress) / 3.);
-        file.add_value(std::sqrt(1.5 * (s * s)));
-
-        for (const NamedArray &scalar : points.scalars)
-          file.add_value(scalar.values[p]);
-        for (const PointVector<dim> &vector : vectors)
-          file.add_value((*vector.values)[p]);
+        add_point_values(file, points, vectors, p);
       }
     return file.write(time, path);
   }

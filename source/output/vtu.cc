@@ -17,6 +17,7 @@ namespace Waker
 {
   namespace
   {
+    /// Of a cell; 0: it has any number.
     unsigned int
     n_vertices(const VtuFile::Cell cell)
     {
@@ -26,6 +27,8 @@ namespace Waker
             return 1;
           case VtuFile::Cell::line:
             return 2;
+          case VtuFile::Cell::polyline:
+            return 0;
           case VtuFile::Cell::triangle:
             return 3;
           case VtuFile::Cell::quadrilateral:
@@ -171,6 +174,29 @@ namespace Waker
   }
 
 
+  void
+  VtuFile::end_polyline()
+  {
+    Assert(cell == Cell::polyline, ExcInternalError());
+    polyline_ends.push_back(static_cast<std::int64_t>(positions.size() / 3));
+  }
+
+
+  std::vector<std::int64_t>
+  VtuFile::cell_ends() const
+  {
+    if (cell == Cell::polyline)
+      return polyline_ends;
+    const std::size_t  n_points = positions.size() / 3;
+    const unsigned int n        = n_vertices(cell);
+    AssertDimension(n_points % n, 0);
+    std::vector<std::int64_t> ends(n_points / n);
+    for (std::size_t k = 0; k < ends.size(); ++k)
+      ends[k] = static_cast<std::int64_t>((k + 1) * n);
+    return ends;
+  }
+
+
   std::string
   VtuFile::field_data(const Field &field, const unsigned int first) const
   {
@@ -209,19 +235,15 @@ namespace Waker
   std::string
   VtuFile::write(const double time, const std::string &path) const
   {
-    const std::size_t  n_points = positions.size() / 3;
-    const unsigned int n        = n_vertices(cell);
-    AssertDimension(n_points % n, 0);
+    const std::size_t n_points = positions.size() / 3;
     AssertDimension(values.size(), n_points * row_length);
 
     std::vector<std::int64_t> connectivity(n_points);
     for (std::size_t p = 0; p < n_points; ++p)
       connectivity[p] = p;
-    std::vector<std::int64_t>  offsets(n_points / n);
-    std::vector<unsigned char> types(n_points / n,
+    std::vector<std::int64_t>  offsets = cell_ends();
+    std::vector<unsigned char> types(offsets.size(),
                                      static_cast<unsigned char>(cell));
-    for (std::size_t k = 0; k < offsets.size(); ++k)
-      offsets[k] = (k + 1) * n;
     if (offsets.empty())
       {
         // A polygon without corners: the one cell that both ParaView and

@@ -4,6 +4,7 @@
 
 #include <deal.II/base/point.h>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,9 @@ namespace Waker
   using namespace dealii;
 
   /**
-   * A .vtu file: cells of one kind, each with points of its own, and fields on
-   * the points. What the writers share; private to the room.
+   * A .vtu file: cells of one kind, each with points of its own (any number of
+   * them in a polyline), and fields on the points. What the writers share;
+   * private to the room.
    *
    * deal.II's writer stores positions in single precision, which is 16 mm at
    * x = 155,000 m, and leaves a file without cells in a form that readers
@@ -32,6 +34,7 @@ namespace Waker
     {
       vertex        = 1,
       line          = 3,
+      polyline      = 4,
       triangle      = 5,
       quadrilateral = 9,
       hexahedron    = 12
@@ -74,6 +77,10 @@ namespace Waker
     void
     add_value(const Tensor<1, dim> &value);
 
+    /// The polyline that the last points belong to ends here.
+    void
+    end_polyline();
+
     /// @param time of the state (s), stored in the file
     /// @return checksum_of_text() of the file
     /// @throws as throw_cannot_write() if it cannot be written
@@ -92,11 +99,15 @@ namespace Waker
     std::string
     field_data(const Field &field, const unsigned int first) const;
 
-    Cell                cell;
-    std::vector<Field>  fields;
-    unsigned int        row_length = 0;
-    std::vector<double> positions; // three per point
-    std::vector<double> values;    // row_length per point
+    std::vector<std::int64_t>
+    cell_ends() const;
+
+    Cell                      cell;
+    std::vector<Field>        fields;
+    unsigned int              row_length = 0;
+    std::vector<double>       positions;     // three per point
+    std::vector<double>       values;        // row_length per point
+    std::vector<std::int64_t> polyline_ends; // points before each end
   };
 } // namespace Waker
 

@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
-#include <waker/loads/liquid.h>
 #include <waker/output/files.h>
-#include <waker/output/grid_writer.h>
 #include <waker/output/output_files.h>
-#include <waker/output/particle_writer.h>
-#include <waker/output/surface_writer.h>
-#include <waker/output/traction_writer.h>
-#include <waker/output/wall_writer.h>
 #include <waker/simulation/recorder.h>
 
 #include <boost/archive/binary_iarchive.hpp>
@@ -28,15 +22,12 @@ namespace Waker
     struct Progress
     {
       /// Raised when what is stored, or in State, changes.
-      static constexpr unsigned int this_layout = 4;
+      static constexpr unsigned int this_layout = 5;
 
-      std::string           state;
-      StopParameters        stop; // by which state.rest was found
-      std::vector<PvdEntry> particles;
-      std::vector<PvdEntry> surfaces;
-      std::vector<PvdEntry> grids;
-      std::vector<PvdEntry> tractions;
-      std::vector<PvdEntry> walls;
+      std::string    state;
+      StopParameters stop; // by which state.rest was found
+      /// FieldFiles::Entries
+      std::vector<std::vector<PvdEntry>> fields;
 
       template <typename Archive>
       void
@@ -46,8 +37,7 @@ namespace Waker
         archive     &layout;
         if (layout != this_layout)
           throw std::runtime_error("another layout");
-        archive &state &stop.rest_plastic_strain                &stop
-          .rest_velocity &particles &surfaces &grids &tractions &walls;
+        archive &state &stop.rest_plastic_strain &stop.rest_velocity &fields;
       }
     };
 
@@ -124,11 +114,7 @@ namespace Waker
   Recorder<dim>::Recorder(const Parameters &parameters)
     : parameters(&parameters)
     , slots(parameters.output.directory, parameters.hash)
-    , particles(parameters.output.directory, FieldSeries::particles)
-    , surfaces(parameters.output.directory, FieldSeries::surface)
-    , grids(parameters.output.directory, FieldSeries::grid)
-    , tractions(parameters.output.directory, FieldSeries::tractions)
-    , walls(parameters.output.directory, FieldSeries::walls)
+    , fields(parameters.output)
     , observers(standard_observers<dim>())
     , statistics(std::make_unique<Statistics>(
         file_path(parameters.output.directory, OutputFile::statistics)))
@@ -140,11 +126,7 @@ namespace Waker
   Recorder<dim>::Recorder(const Parameters &parameters, State<dim> &state)
     : parameters(&parameters)
     , slots(parameters.output.directory, parameters.hash, parameters.text)
-    , particles(parameters.output.directory, FieldSeries::particles)
-    , surfaces(parameters.output.directory, FieldSeries::surface)
-    , grids(parameters.output.directory, FieldSeries::grid)
-    , tractions(parameters.output.directory, FieldSeries::tractions)
-    , walls(parameters.output.directory, FieldSeries::walls)
+    , fields(parameters.output)
     , observers(standard_observers<dim>())
   {
     const Checkpoint checkpoint = slots.read_latest(resume_warning);
@@ -173,17 +155,7 @@ namespace Waker
     next_fields = next_multiple(state.time, parameters.output.interval);
     next_checkpoint =
       next_multiple(state.time, parameters.output.checkpoint_interval);
-    std::vector<std::string> damaged;
-    const auto               restore = [&](PvdSeries                   &series,
-                             const std::vector<PvdEntry> &entries) {
-      for (const std::string &file : series.restore(entries))
-        damaged.push_back(file);
-    };
-    restore(particles, progress.particles);
-    restore(surfaces, progress.surfaces);
-    restore(grids, progress.grids);
-    restore(tractions, progress.tractions);
-    restore(walls, progress.walls);
+    const std::vector<std::string> damaged = fields.restore(progress.fields);
     if (!damaged.empty())
       resume_warning += (resume_warning.empty() ? "" : "; ") +
                         std::to_string(damaged.size()) +
@@ -213,76 +185,9 @@ namespace Waker
 
     if (last || is_due(time, next_fields))
       {
-        write_fields(view);
+        fields.write(view);
         next_fields = next_multiple(time, parameters->output.interval);
         statistics->flush();
-      }
-  }
-
-
-  template <int dim>
-  void
-  Recorder<dim>::write_fields(const StepView<dim> &view)
-  {
-    const OutputParameters &output = parameters->output;
-    const State<dim>       &state  = view.state;
-    const Scene<dim>       &scene  = view.scene;
-    const double            time   = state.time;
-    if (output.particles)
-      {
-        PointVectors<dim> loads;
-        if (!state.points.load.empty())
-          loads.push_back({"load", "kN", &state.points.load});
-        for (std::size_t i = 0; i < scene.tractions.size(); ++i)
-          {
-            const auto traction = scene.tractions.view(i);
-            if (!traction.point_loads->empty())
-              loads.push_back(
-                {"load_" + traction.name, "kN", traction.point_loads});
-          }
-        particles.add(
-          time,
-          write_particles(state.points, time, particles.next_path(), loads));
-      }
-    if (output.surface)
-      surfaces.add(time,
-                   write_surface(scene.surfaces.facets(),
-                                 scene.water.wetted(),
-                                 scene.water.now(),
-                                 time,
-                                 surfaces.next_path()));
-    if (output.surface && scene.tractions.size() > 0)
-      tractions.add(
-        time, write_tractions(scene.tractions, time, tractions.next_path()));
-    if (output.surface && !scene.walls.empty())
-      walls.add(time,
-                write_walls(
-                  scene.walls, state.wall_tractions, time, walls.next_path()));
-    if (output.grid)
-      {
-        const NodalState          &nodes = scene.nodes;
-        const std::vector<double> &field = scene.surfaces.proximity_field();
-        GridFields                 fields;
-        if (field.size() == nodes.mass.size())
-          fields.scalars.push_back({"proximity_field", "-", &field});
-        fields.vectors.push_back({"velocity", "m/s", &nodes.velocity});
-        fields.vectors.push_back(
-          {"external_force", "kN", &nodes.external_force});
-        fields.vectors.push_back(
-          {"internal_force", "kN", &nodes.internal_force});
-        fields.vectors.push_back({"increment", "m", &nodes.increment});
-        for (std::size_t i = 0; i < scene.tractions.size(); ++i)
-          {
-            const auto traction = scene.tractions.view(i);
-            fields.vectors.push_back(
-              {"force_" + traction.name, "kN", traction.nodal_force});
-          }
-        grids.add(time,
-                  write_grid(view.the_case.grid,
-                             nodes.mass,
-                             fields,
-                             time,
-                             grids.next_path()));
       }
   }
 
@@ -298,13 +203,7 @@ namespace Waker
       next_checkpoint =
         next_multiple(state.time, parameters->output.checkpoint_interval);
     statistics->flush();
-    const Progress     progress{state.write(),
-                            parameters->stop,
-                            particles.entries(),
-                            surfaces.entries(),
-                            grids.entries(),
-                            tractions.entries(),
-                            walls.entries()};
+    const Progress progress{state.write(), parameters->stop, fields.entries()};
     std::ostringstream bytes;
     {
       boost::archive::binary_oarchive archive(bytes);

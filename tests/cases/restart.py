@@ -22,7 +22,7 @@ import time
 # Coarse, so that a run takes seconds; a checkpoint every 0.1 s, so that the
 # kills fall between checkpoints that are not all the same.
 coarse = ["Grid/Cell size=0.5", "Output/Interval=0.2",
-          "Output/Checkpoint interval=0.1"]
+          "Output/Checkpoint interval=0.1", "Output/Top view=true"]
 failing = coarse + ["Materials/clay/Initial strength=8",
                     "Materials/clay/Residual strength=3"]
 # Comes to rest; the window of the rule is made long, the checks are in it.

@@ -39,8 +39,13 @@ namespace Waker
     surface,
     tractions,
     walls,
-    grid
+    grid,
+    top_view,
+    ground_lines
   };
+
+  constexpr unsigned int n_field_series =
+    static_cast<unsigned int>(FieldSeries::ground_lines) + 1;
 
   /// "surface"
   std::string

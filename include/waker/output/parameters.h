@@ -22,6 +22,7 @@ namespace Waker
     bool   particles = true;
     bool   surface   = true;
     bool   grid      = true;
+    bool   top_view  = false;
     /// Time between checkpoints (simulated s); 0: only when interrupted.
     double checkpoint_interval = 1.;
 

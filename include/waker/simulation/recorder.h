@@ -7,9 +7,9 @@
 #include <waker/control/outcome.h>
 #include <waker/observers/observer.h>
 #include <waker/output/checkpoint.h>
-#include <waker/output/pvd.h>
 #include <waker/output/statistics.h>
 #include <waker/output/summary.h>
+#include <waker/simulation/field_files.h>
 
 #include <memory>
 #include <string>
@@ -59,16 +59,9 @@ namespace Waker
                   const std::vector<std::string> &warnings) const;
 
   private:
-    void
-    write_fields(const StepView<dim> &view);
-
     const Parameters *parameters;
     CheckpointSlots   slots;
-    PvdSeries         particles;
-    PvdSeries         surfaces;
-    PvdSeries         grids;
-    PvdSeries         tractions;
-    PvdSeries         walls;
+    FieldFiles<dim>   fields;
     std::string       resume_warning;
 
     std::vector<std::unique_ptr<Observer<dim>>> observers;

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_simulation_field_files_h
+#define waker_simulation_field_files_h
+
+#include <waker/observers/observer.h>
+#include <waker/output/parameters.h>
+#include <waker/output/pvd.h>
+
+#include <string>
+#include <vector>
+
+namespace Waker
+{
+  /// The ParaView files of a run: all series, each with a file for each moment
+  /// that is written.
+  template <int dim>
+  class FieldFiles
+  {
+  public:
+    /// What a checkpoint stores: the files of each series, in the order of
+    /// FieldSeries.
+    using Entries = std::vector<std::vector<PvdEntry>>;
+
+    /// @param output kept by reference
+    explicit FieldFiles(const OutputParameters &output);
+
+    void
+    write(const StepView<dim> &view);
+
+    Entries
+    entries() const;
+
+    /// Go on from a checkpoint. @return as PvdSeries::restore(), of all series
+    std::vector<std::string>
+    restore(const Entries &entries);
+
+  private:
+    /// Write a file with f(path), which returns its checksum, into a series.
+    template <typename Function>
+    void
+    add(const FieldSeries series, const double time, const Function &f);
+
+    void
+    write_particles(const StepView<dim> &view);
+    void
+    write_surfaces(const StepView<dim> &view);
+    void
+    write_grid(const StepView<dim> &view);
+    void
+    write_top_view(const StepView<dim> &view);
+
+    const OutputParameters &output;
+    std::vector<PvdSeries>  series; // by FieldSeries
+  };
+} // namespace Waker
+
+#endif
