@@ -49,8 +49,7 @@ namespace Waker
   SoilDepths<dim>::at(const Point<dim> &x, const unsigned int layer) const
   {
     if (layer >= layer_bodies.size())
-      return {nan,
-              nan};
+      return {nan, nan};
     Depths depths{0., 0.};
     for (const LayerBody &body : layer_bodies)
       for (const LayerBody::Stretch &stretch : stretches_at(body, x))

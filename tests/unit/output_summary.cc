@@ -2,8 +2,8 @@
 #include <waker/base/errors.h>
 #include <waker/output/summary.h>
 
-#include "store_records.h"
 #include "output_temporary_folder.h"
+#include "store_records.h"
 #include "user_errors.h"
 #include <gtest/gtest.h>
 #include <limits>
