@@ -9,11 +9,40 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <tuple>
 
 namespace Waker
 {
   namespace fs = std::filesystem;
+
+  namespace
+  {
+    /// What is noted of how far a realisation is; null if that is damaged, or
+    /// gone, as the realisation has just been finished.
+    nlohmann::ordered_json
+    read_note(const std::string &directory)
+    {
+      try
+        {
+          const auto note = nlohmann::ordered_json::parse(
+            read_file(join_path(directory, running_note_name)), nullptr, false);
+          return note.is_object() ? note : nlohmann::ordered_json();
+        }
+      catch (const UserError &)
+        {
+          return {};
+        }
+    }
+
+
+    double
+    number(const nlohmann::ordered_json &note, const char *const name)
+    {
+      const auto found = note.find(name);
+      return found != note.end() && found->is_number() ? found->get<double>()
+                                                       : -1.;
+    }
+  } // namespace
+
 
   FolderKeeper::FolderKeeper(const std::string                 &folder,
                              const unsigned int                 scenario,
@@ -25,9 +54,8 @@ namespace Waker
     , slots(directory, hash)
     , interval(interval)
     , said(said)
-    , start(Clock::now())
-    , last_note(start)
-    , last_kept(start)
+    , last_note(Clock::now())
+    , last_kept(last_note)
   {}
 
 
@@ -39,7 +67,9 @@ namespace Waker
     try
       {
         std::string warning;
-        return slots.read_latest(warning).blob;
+        std::string bytes = slots.read_latest(warning).blob;
+        kept_time         = number(read_note(directory), "kept_time");
+        return bytes;
       }
     catch (const UserError &)
       {
@@ -63,10 +93,7 @@ namespace Waker
     if (interval == 0.)
       return false;
     if (seconds_since(last_note) > note_interval)
-      {
-        note(time);
-        last_note = Clock::now();
-      }
+      note(time);
     // What a few seconds have computed is computed again as fast as it is read.
     return seconds_since(last_kept) >
            (last ? std::min(interval, note_interval) : interval);
@@ -81,17 +108,18 @@ namespace Waker
     slots.write(step, bytes);
     kept_time = time;
     note(time);
-    last_note = last_kept = Clock::now();
+    last_kept = last_note;
   }
 
 
   void
-  FolderKeeper::note(const double time) const
+  FolderKeeper::note(const double time)
   {
     const nlohmann::ordered_json line = {{"time", time},
                                          {"kept_time", kept_time}};
     make_folder(directory);
     write_file(join_path(directory, running_note_name), line.dump() + "\n");
+    last_note = Clock::now();
   }
 
 
@@ -127,12 +155,12 @@ namespace Waker
         running.age = std::chrono::duration<double>(
                         fs::file_time_type::clock::now() - written)
                         .count();
-        const auto json =
-          nlohmann::json::parse(read_file(path), nullptr, false);
-        if (!json.is_object())
-          continue; // damaged: it will be written again
-        running.time      = json.value("time", 0.);
-        running.kept_time = json.value("kept_time", -1.);
+        const auto note =
+          read_note(running_folder(folder, scenario, realisation));
+        if (note.is_null())
+          continue; // it will be written again
+        running.time      = number(note, "time");
+        running.kept_time = number(note, "kept_time");
         result.push_back(running);
       }
     return result;

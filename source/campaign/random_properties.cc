@@ -3,6 +3,7 @@
 #include <waker/base/random_numbers.h>
 #include <waker/base/sizes.h>
 #include <waker/campaign/field_moments.h>
+#include <waker/campaign/field_place.h>
 #include <waker/campaign/random_properties.h>
 
 #include <algorithm>
@@ -20,103 +21,6 @@ namespace Waker
 
     /// More of a distribution than this beyond its limits is worth a warning.
     constexpr double largest_share_beyond = 0.01;
-
-
-    /// "3.5, 2".
-    std::string
-    place_text(const unsigned int dim, const std::array<double, 3> &x)
-    {
-      std::ostringstream text;
-      for (unsigned int d = 0; d < dim; ++d)
-        text << (d > 0 ? ", " : "") << x[d];
-      return text.str();
-    }
-
-
-    template <int dim>
-    std::array<double, 3>
-    coordinates(const Point<dim> &x)
-    {
-      std::array<double, 3> result{};
-      for (unsigned int d = 0; d < dim; ++d)
-        result[d] = x[d];
-      return result;
-    }
-
-
-    /// The cells that hold all points: aligned with the grid, by default its
-    /// sub-cells, so that each support domain has its own (with Placement =
-    /// rows: nearly).
-    template <int dim>
-    FieldLattice
-    make_lattice(const MaterialPoints<dim> &points,
-                 const Parameters          &parameters,
-                 const std::vector<double> &cell_size,
-                 const std::string         &path)
-    {
-      FieldLattice lattice;
-      lattice.dim = dim;
-      for (unsigned int d = 0; d < dim; ++d)
-        {
-          const double size   = cell_size.empty()
-                                  ? parameters.grid.cell_size /
-                                    parameters.points.points_per_direction
-                                  : cell_size[d];
-          const double corner = parameters.grid.lower_corner[d];
-          double       first  = std::numeric_limits<double>::max();
-          double       last   = -first;
-          for (const Point<dim> &x : points.initial_position)
-            {
-              const double cell = std::floor((x[d] - corner) / size);
-              first             = std::min(first, cell);
-              last              = std::max(last, cell);
-            }
-          lattice.cell_size[d] = size;
-          lattice.origin[d]    = corner + first * size;
-          lattice.n_cells[d]   = static_cast<unsigned int>(
-            checked_count(path + "/Cell size",
-                          last - first + 1.,
-                          std::string("cells of the field along ") + "xyz"[d],
-                          largest_lattice,
-                          "larger cells"));
-        }
-      return lattice;
-    }
-
-
-    /// The points of a case in space, as they are made.
-    MaterialPoints<3>
-    points_in_space(const Parameters &p, const Materials &materials)
-    {
-      const auto corner = [](const std::vector<double> &x) {
-        return Point<3>(x[0], x[1], x[2]);
-      };
-      std::vector<std::string> names;
-      std::vector<double>      densities;
-      for (unsigned int m = 0; m < materials.size(); ++m)
-        {
-          names.push_back(p.materials[m].name);
-          densities.push_back(materials[m]->density());
-        }
-      const BackgroundGrid<3> grid(corner(p.grid.lower_corner),
-                                   corner(p.grid.upper_corner),
-                                   p.grid.cell_size,
-                                   MPI_COMM_SELF);
-      return make_material_points(grid, p.layers, p.points, names, densities);
-    }
-
-
-    /// Where a point is in its random fields: a section is part of those of the
-    /// case in space, in the layer of cells that begins at its z or holds it.
-    template <int dim>
-    std::array<double, 3>
-    place_in_fields(const Point<dim> &x, const Parameters &parameters)
-    {
-      std::array<double, 3> place = coordinates(x);
-      if (parameters.in_space)
-        place[2] = parameters.section_z;
-      return place;
-    }
 
 
     template <int dim>
@@ -152,10 +56,7 @@ namespace Waker
     std::vector<unsigned int>      numbers; // of the fields' materials
     std::vector<FieldLattice>      lattices;
     std::vector<FieldMoments<dim>> moments;
-    const Parameters              &input = the_case.parameters;
-    MaterialPoints<3>              in_space; // if this is a section
-    if (input.in_space)
-      in_space = points_in_space(*input.in_space, the_case.materials);
+    const FieldPlace<dim>          place(the_case);
     for (const RandomFieldParameters &field : parameters.fields)
       {
         const std::string  path     = "Random fields/" + field.name;
@@ -186,10 +87,7 @@ namespace Waker
                       {},
                       {},
                       {}};
-        lattices.push_back(
-          input.in_space
-            ? make_lattice(in_space, *input.in_space, field.cell_size, path)
-            : make_lattice(points, input, field.cell_size, path));
+        lattices.push_back(place.lattice(field.cell_size, path));
         check_lattice_size(lattices.back(), path);
         for (std::size_t q = 0; q < points.n_points(); ++q)
           if (points.material[q] == material)
@@ -220,8 +118,7 @@ namespace Waker
                                 "above 0 (kPa; 0 or more of a residual "
                                 "strength)");
               target.points.push_back(q);
-              target.cells.push_back(
-                lattices.back().cell_of(place_in_fields(x, input)));
+              target.cells.push_back(lattices.back().cell_of(place.of(x)));
               target.mean.push_back(mean);
               target.standard_deviation.push_back(deviation);
             }

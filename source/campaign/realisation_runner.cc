@@ -23,6 +23,24 @@ namespace Waker
     }
 
 
+    /// @return nothing if the bytes are those of another version
+    template <int dim>
+    std::optional<State<dim>>
+    state_from(const std::string &bytes)
+    {
+      try
+        {
+          State<dim> state;
+          state.read(bytes);
+          return state;
+        }
+      catch (const std::exception &)
+        {
+          return {};
+        }
+    }
+
+
     /// Traces the geometry, looks at the first slide, and keeps all that for
     /// another process.
     template <int dim>
@@ -162,34 +180,25 @@ namespace Waker
     const Interrupt                       &interrupt,
     Keeper                                &keeper)
   {
-    const Clock::time_point start = Clock::now();
-    Unfinished              so_far;
-    bool                    goes_on = false; // with what was kept
+    const Clock::time_point   start = Clock::now();
+    Unfinished                so_far;
+    std::optional<State<dim>> kept;
     if (std::optional<Unfinished> earlier = Unfinished::read(keeper.earlier()))
-      {
-        so_far  = std::move(*earlier);
-        goes_on = so_far.attempt < cases.size();
-        if (!goes_on)
-          so_far = Unfinished();
-      }
+      if (earlier->attempt < cases.size())
+        if ((kept = state_from<dim>(earlier->state)))
+          so_far = std::move(*earlier);
     const double earlier_time = so_far.wall_time;
 
     bool interrupted = false;
     cases.until_it_works(
       [&](const Case<dim> &the_case, const unsigned int attempt) {
-        State<dim> state = initial_state(the_case);
-        if (goes_on)
-          {
-            state.read(so_far.state);
-            goes_on = false;
-          }
-        else
+        State<dim> state = kept ? std::move(*kept) : initial_state(the_case);
+        if (!kept)
           {
             // The work of all attempts counts, what came out only of the last.
             const Record before      = std::move(so_far.record);
             so_far                   = Unfinished();
             so_far.attempt           = attempt;
-            so_far.wall_time         = earlier_time;
             Record &record           = so_far.record;
             record.attempts          = attempt + 1;
             record.steps             = before.steps;
@@ -204,6 +213,7 @@ namespace Waker
             std::tie(record.mean_strength, record.least_strength) =
               random_properties.mean_and_least(state);
           }
+        kept.reset();
         so_far.wall_time = earlier_time;
         RecordWatcher<dim> watcher(the_case.parameters.water.inner_direction() >
                                      0,

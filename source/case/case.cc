@@ -6,6 +6,7 @@
 #include <waker/case/initial_properties.h>
 #include <waker/case/scene.h>
 #include <waker/case/sizes.h>
+#include <waker/case/soil.h>
 #include <waker/mapping/stencil.h>
 #include <waker/measures/dyke_geometry.h>
 #include <waker/mechanics/deformation.h>
@@ -19,17 +20,6 @@ namespace Waker
 {
   namespace
   {
-    template <int dim>
-    Point<dim>
-    corner(const std::vector<double> &coordinates)
-    {
-      Point<dim> x;
-      for (unsigned int d = 0; d < dim; ++d)
-        x[d] = coordinates[d];
-      return x;
-    }
-
-
     Materials
     make_materials(const Parameters &parameters)
     {
@@ -74,10 +64,7 @@ namespace Waker
                   const MPI_Comm    communicator,
                   Materials         given_materials)
     : parameters(p)
-    , grid(corner<dim>(p.grid.lower_corner),
-           corner<dim>(p.grid.upper_corner),
-           p.grid.cell_size,
-           communicator)
+    , grid(make_grid<dim>(p.grid, communicator))
     , user_surfaces(read_surfaces(p.tractions, grid))
     , materials(given_materials.empty() ? make_materials(p)
                                         : std::move(given_materials))
@@ -89,15 +76,7 @@ namespace Waker
                      std::pow(p.grid.cell_size, dim))
     , riding_loads(p.tractions.size())
   {
-    std::vector<std::string> names;
-    std::vector<double>      densities;
-    for (unsigned int m = 0; m < materials.size(); ++m)
-      {
-        names.push_back(m < p.materials.size() ? p.materials[m].name : "");
-        densities.push_back(materials[m]->density());
-      }
-    initial_points = make_material_points(
-      grid, p.layers, p.points, names, densities, &layers_of_points);
+    initial_points = make_soil(grid, p, materials, &layers_of_points);
     flow.fill(initial_points);
     layers_of_points.resize(initial_points.n_points(), depths.n_layers());
     apply_point_loads(undriven_point_loads(p),

@@ -74,7 +74,7 @@ namespace Waker
     {
       remove_if(layers, [=](const LayerParameters &layer) {
         return !layer.extent.empty() &&
-               (layer.extent[0] > z || layer.extent[1] < z);
+               (layer.extent[0] > z || layer.extent[1] <= z);
       });
       for (LayerParameters &layer : layers)
         {

@@ -9,11 +9,16 @@
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
 #include <sstream>
+#include <stdexcept>
 
 namespace Waker
 {
   namespace
   {
+    /// Raised when what is stored changes.
+    constexpr unsigned int this_layout = 1;
+
+
     // Doubles and tensors of doubles: their bytes are their value.
     template <typename Archive, typename T>
     void
@@ -31,6 +36,10 @@ namespace Waker
     void
     all(Archive &archive, State<dim> &state)
     {
+      unsigned int layout = this_layout;
+      archive     &layout;
+      if (layout != this_layout)
+        throw std::runtime_error("a state of another layout");
       std::size_t n_scalars = state.points.scalars.size();
       archive    &n_scalars;
       state.points.scalars.resize(n_scalars);

@@ -249,6 +249,12 @@ namespace Waker
                    const ParameterLocations                  &map)
     {
       const Input &last = *scenarios.back();
+      if (last.simulation.dimension != scenarios[0]->simulation.dimension)
+        throw map.located(
+          UserError("Sweep/Parameter",
+                    "\"" + last.reliability.sweep.parameter +
+                      "\" makes some scenarios plane and others not",
+                    "scenarios of one dimension: two campaigns"));
       for (std::size_t s = 0; s + 1 < scenarios.size(); ++s)
         if (scenarios[s]->campaign_hash == last.campaign_hash)
           throw map.located(UserError(

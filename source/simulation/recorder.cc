@@ -21,7 +21,7 @@ namespace Waker
     /// The recorder's part of a checkpoint.
     struct Progress
     {
-      /// Raised when what is stored, or in State, changes.
+      /// Raised when what is stored changes; State has its own.
       static constexpr unsigned int this_layout = 5;
 
       std::string    state;

@@ -122,6 +122,20 @@ namespace campaign_cross_section
                         {"Cross-section=4", "Soil profile/slope/Extent=0, 2"}),
                       "--set Cross-section",
                       "where no layer is");
+    // The last plane of a layer is no part of it.
+    EXPECT_USER_ERROR(read(
+                        {"Cross-section=4", "Soil profile/slope/Extent=0, 4"}),
+                      "--set Cross-section",
+                      "where no layer is");
+    EXPECT_NO_THROW(
+      read({"Cross-section=4", "Soil profile/slope/Extent=4, 8"}));
+    // Several sections are one campaign, but not one beside its case.
+    EXPECT_EQ(
+      read({"Sweep/Parameter=Cross-section", "Sweep/Values=1; 4"}).size(), 2u);
+    EXPECT_USER_ERROR(read({"Sweep/Parameter=Cross-section",
+                            "Sweep/Values=none; 4"}),
+                      "--set Sweep/Parameter",
+                      "makes some scenarios plane");
     EXPECT_USER_ERROR(read_scenarios(WAKER_SOURCE_DIRECTORY
                                      "/parameters/chapter5/dyke.prm",
                                      {"Cross-section=4"}),

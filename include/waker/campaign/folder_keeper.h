@@ -15,8 +15,7 @@ namespace Waker
   /**
    * Keeps a realisation in its campaign's folder, in "running/0-17/": a
    * checkpoint in two slots (CheckpointSlots) every so many seconds of
-   * computing, and how far it is, in "progress.json", more often. A realisation
-   * that takes less time than that leaves no trace.
+   * computing, and how far it is, in "progress.json", more often.
    */
   class FolderKeeper : public Keeper
   {
@@ -58,14 +57,14 @@ namespace Waker
     seconds_since(const Clock::time_point moment) const;
 
     void
-    note(const double time) const;
+    note(const double time);
 
     std::string                 directory;
     CheckpointSlots             slots;
     double                      interval;
     std::function<void(double)> said;
     double                      kept_time = -1.; // of the state kept, s
-    Clock::time_point           start, last_note, last_kept;
+    Clock::time_point           last_note, last_kept;
   };
 
 
