@@ -7,7 +7,7 @@ symmetry. From data/contour_cost.csv and data/contour_symmetry.csv:
     build/bin/benchmarks --benchmark_filter=^contour/ \\
         --benchmark_out=contour.json --benchmark_out_format=json
     WAKER_VERIFICATION_DATA=doc/verification/data build/bin/unit_tests \\
-        --gtest_filter=Boundary.contour_filled_from_the_left_is_not_symmetric
+        --gtest_filter=Surface.contour_filled_from_the_left_is_not_symmetric
     /usr/bin/python3 contrib/verification/contour.py contour.json
 
 Without an argument the figures are drawn again from the data.

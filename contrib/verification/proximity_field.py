@@ -4,7 +4,7 @@
 doc/verification/data/proximity_field.csv, which a unit test writes:
 
     WAKER_VERIFICATION_DATA=doc/verification/data build/bin/unit_tests \\
-        --gtest_filter=Boundary.flat_face_has_no_mean_offset
+        --gtest_filter=Surface.flat_face_has_no_mean_offset
     /usr/bin/python3 contrib/verification/proximity_field.py
 """
 

@@ -4,7 +4,7 @@
 tests write:
 
     WAKER_VERIFICATION_DATA=doc/verification/data build/bin/unit_tests \\
-        --gtest_filter=Boundary.flat_face_in_3d*:Boundary.detected_volume*:Boundary.buoyancy_of*
+        --gtest_filter=Surface.flat_face_in_3d*:Surface.detected_volume*:Loads.buoyancy_of*
     /usr/bin/python3 contrib/verification/surface_3d.py
 """
 

@@ -194,7 +194,7 @@ def main():
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "results.h5")
             subprocess.run(
-                [source, "--gtest_filter=Reliability.store_for_other_programs"],
+                [source, "--gtest_filter=Statistics.store_for_other_programs"],
                 check=True, stdout=subprocess.DEVNULL,
                 env={**os.environ, "WAKER_TEST_STORE": path})
             check_with_h5py(path)

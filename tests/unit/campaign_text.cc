@@ -11,7 +11,7 @@ namespace campaign_text
   using namespace Waker;
 
 
-  TEST(Reliability, pace_is_said_where_it_is_known)
+  TEST(Campaign, pace_is_said_where_it_is_known)
   {
     EXPECT_EQ(pace_text(10, 10, 100.), "360 realisations an hour and core");
     EXPECT_EQ(pace_text(10, 16, 100.),
@@ -28,7 +28,7 @@ namespace campaign_text
   }
 
 
-  TEST(Reliability, free_parameters_are_named)
+  TEST(Campaign, free_parameters_are_named)
   {
     const std::string text = free_in_campaigns();
     for (const std::string &section : sections_free_in_campaigns())

@@ -390,7 +390,7 @@ namespace loads_buoyancy
   // weight of the water that the detected body displaces, through its centre.
   // The detected volume is that of the points within an error of second order:
   // edges and corners are rounded.
-  TEST(Boundary, buoyancy_of_turned_blocks)
+  TEST(Loads, buoyancy_of_turned_blocks)
   {
     double errors[2][3];
     double h = 0.25;
@@ -410,7 +410,7 @@ namespace loads_buoyancy
 
   // On the contour of the support domains it is the weight of the water in the
   // place of the domains: exact.
-  TEST(Boundary, buoyancy_on_the_contour)
+  TEST(Loads, buoyancy_on_the_contour)
   {
     check_contour<2>(0.2, 50);
     check_contour<3>(0.25, 10);

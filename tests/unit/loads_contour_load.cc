@@ -101,7 +101,7 @@ namespace loads_contour_load
 
 
 
-  TEST(Boundary, load_on_the_contour_is_the_internal_force)
+  TEST(Loads, load_on_the_contour_is_the_internal_force)
   {
     const auto        grid = Lattice::grid<2>(4., h);
     SurfaceParameters parameters;
@@ -139,7 +139,7 @@ namespace loads_contour_load
 
 
 
-  TEST(Boundary, contour_is_the_same_in_a_slice)
+  TEST(Loads, contour_is_the_same_in_a_slice)
   {
     // Projected on the plane, a prismatic body in 3D has the chains of 2D, and
     // its true surface encloses their area times its thickness.
@@ -195,7 +195,7 @@ namespace loads_contour_load
 
 
 
-  TEST(Boundary, contour_refuses_gaps_as_large_as_a_domain)
+  TEST(Loads, contour_refuses_gaps_as_large_as_a_domain)
   {
     const auto        grid = Lattice::grid<2>(1., h);
     SurfaceParameters parameters;

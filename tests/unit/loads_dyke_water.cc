@@ -14,7 +14,7 @@ namespace loads_dyke_water
 
   // The dyke of chapter 5 with its water, moved along the grid by parts of a
   // cell: what reaches the nodes is the pressure on the surface that is seen.
-  TEST(Boundary, water_on_the_dyke_of_chapter_5_at_sub_cell_offsets)
+  TEST(Loads, water_on_the_dyke_of_chapter_5_at_sub_cell_offsets)
   {
     const auto parameters =
       read_parameters(WAKER_SOURCE_DIRECTORY "/parameters/chapter5/dyke.prm",

@@ -310,7 +310,7 @@ namespace loads_facet_load
 
 
 
-  TEST(Boundary, facet_load_keeps_resultant_and_moment)
+  TEST(Loads, facet_load_keeps_resultant_and_moment)
   {
     check_random_facets<2>();
     check_random_facets<3>();
@@ -318,7 +318,7 @@ namespace loads_facet_load
 
 
 
-  TEST(Boundary, facet_load_equals_fine_quadrature)
+  TEST(Loads, facet_load_equals_fine_quadrature)
   {
     check_fine_quadrature<2>(1000);
     check_fine_quadrature<3>(200);
@@ -326,7 +326,7 @@ namespace loads_facet_load
 
 
 
-  TEST(Boundary, facet_load_on_faces_of_cells_is_counted_once)
+  TEST(Loads, facet_load_on_faces_of_cells_is_counted_once)
   {
     check_lattice_faces<2>();
     check_lattice_faces<3>();
@@ -334,7 +334,7 @@ namespace loads_facet_load
 
 
 
-  TEST(Boundary, facet_load_leaves_nodes_without_mass)
+  TEST(Loads, facet_load_leaves_nodes_without_mass)
   {
     check_distribution<2>();
     check_distribution<3>();
@@ -342,7 +342,7 @@ namespace loads_facet_load
 
 
 
-  TEST(Boundary, point_force_on_nodes)
+  TEST(Loads, point_force_on_nodes)
   {
     const BackgroundGrid<3> grid = make_grid<3>(0.5);
     FacetLoad<3>            load(grid);

@@ -11,7 +11,7 @@ namespace loads_lost_load
   using namespace Waker;
 
   // Soil that leaves takes its share of the load with it, and it is noted.
-  TEST(Boundary, a_riding_load_on_soil_that_leaves)
+  TEST(Loads, a_riding_load_on_soil_that_leaves)
   {
     LoadedBlock<2> block;
     block.load("contour", "3; -25");
@@ -53,7 +53,7 @@ namespace loads_lost_load
 
 
   // A load that falls on nodes without soil is lost, and that is noted.
-  TEST(Boundary, a_load_beside_the_soil_is_noted)
+  TEST(Loads, a_load_beside_the_soil_is_noted)
   {
     LoadedBlock<2> block;
     block.load("user surface", "3; -25");

@@ -104,7 +104,7 @@ namespace loads_riding_load
   } // namespace
 
 
-  TEST(Boundary, a_riding_load_keeps_its_resultant_on_sinking_soil)
+  TEST(Loads, a_riding_load_keeps_its_resultant_on_sinking_soil)
   {
     test_sinking<2>("contour", 1e-12);
     test_sinking<3>("contour", 1e-12);
@@ -113,7 +113,7 @@ namespace loads_riding_load
 
   // The detected surface is off the points: what it loads may have no mass, as
   // ever. With a minimum support it goes to nodes that have.
-  TEST(Boundary, a_riding_load_on_the_proximity_field)
+  TEST(Loads, a_riding_load_on_the_proximity_field)
   {
     for (const double support : {0., 0.01})
       {
@@ -137,7 +137,7 @@ namespace loads_riding_load
 
 
   // Before anything moves, riding or not makes no difference.
-  TEST(Boundary, a_riding_load_at_rest_is_what_it_was)
+  TEST(Loads, a_riding_load_at_rest_is_what_it_was)
   {
     const auto test = [](auto block, const std::vector<std::string> &methods) {
       constexpr int dim = decltype(block)::dimension;
@@ -169,7 +169,7 @@ namespace loads_riding_load
 
   // A load on domains that stretch by a tenth along the surface has no gaps: it
   // is that of a tenth less on a longer part.
-  TEST(Boundary, a_riding_load_stretches_with_the_domains_of_its_points)
+  TEST(Loads, a_riding_load_stretches_with_the_domains_of_its_points)
   {
     LoadedBlock<2> block;
     block.load("contour", "3; -25");
@@ -195,7 +195,7 @@ namespace loads_riding_load
 
   // A body that moves as a whole takes its load with it: as if the box had
   // moved, and an expression of the place belongs to the soil.
-  TEST(Boundary, a_riding_load_on_a_body_that_is_moved)
+  TEST(Loads, a_riding_load_on_a_body_that_is_moved)
   {
     for (const double shift : {0.5, 0.613})
       for (const std::string method : {"contour", "user surface"})
@@ -288,7 +288,7 @@ namespace loads_riding_load
   }
 
 
-  TEST(Boundary, a_riding_pressure_turns_with_the_soil)
+  TEST(Loads, a_riding_pressure_turns_with_the_soil)
   {
     test_rotation<2>("contour");
     test_rotation<3>("contour");

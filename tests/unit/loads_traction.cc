@@ -141,14 +141,14 @@ namespace loads_traction
   } // namespace
 
 
-  TEST(Boundary, facets_are_cut_exactly)
+  TEST(Loads, facets_are_cut_exactly)
   {
     test_cut<2>();
     test_cut<3>();
   }
 
 
-  TEST(Boundary, traction_of_each_kind)
+  TEST(Loads, traction_of_each_kind)
   {
     const Facets<2> body = rectangle(1, 0, 4, 2);
     Facets<2>       part;
@@ -202,7 +202,7 @@ namespace loads_traction
   }
 
 
-  TEST(Boundary, traction_on_a_part_of_the_surface)
+  TEST(Loads, traction_on_a_part_of_the_surface)
   {
     const Facets<2>    body = rectangle(1, 0, 4, 2);
     Facets<2>          part;
@@ -232,7 +232,7 @@ namespace loads_traction
   }
 
 
-  TEST(Boundary, traction_parameters_are_checked)
+  TEST(Loads, traction_parameters_are_checked)
   {
     const auto complaint = [](const TractionParameters &p,
                               const unsigned int        dim = 2,

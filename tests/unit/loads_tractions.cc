@@ -29,7 +29,7 @@ namespace loads_tractions
 
   // Section 3.4 of Remmerswaal 2023: which methods fit the internal force. The
   // surface lies at a distance r in front of the node ahead, 0 < r <= 1.
-  TEST(Boundary, tractions_on_a_bar_of_gimp)
+  TEST(Loads, tractions_on_a_bar_of_gimp)
   {
     for (unsigned int k = 0; k <= 40; ++k)
       {
@@ -65,7 +65,7 @@ namespace loads_tractions
   }
 
 
-  TEST(Boundary, tractions_on_a_bar_of_standard_material_points)
+  TEST(Loads, tractions_on_a_bar_of_standard_material_points)
   {
     double worst_surface = 0.;
     for (unsigned int k = 0; k <= 40; ++k)
@@ -94,7 +94,7 @@ namespace loads_tractions
 
   // The same in space: a block anywhere on the grid, under 1 kPa from all
   // sides.
-  TEST(Boundary, tractions_on_a_block_in_three_dimensions)
+  TEST(Loads, tractions_on_a_block_in_three_dimensions)
   {
     for (const double x : {1., 1.2, 1.5, 1.83})
       for (const auto functions :
@@ -172,7 +172,7 @@ namespace loads_tractions
 
 
   // The loads of fixed points are those of the start; updated ones follow.
-  TEST(Boundary, fixed_and_updated_point_loads)
+  TEST(Loads, fixed_and_updated_point_loads)
   {
     LoadedBar bar(1.3);
     bar.load("fixed points");
@@ -219,7 +219,7 @@ namespace loads_tractions
 
   // Pieces of any facet go to the point that is closest to each of their
   // places.
-  TEST(Boundary, surface_is_split_between_the_closest_points)
+  TEST(Loads, surface_is_split_between_the_closest_points)
   {
     const BackgroundGrid<2>                grid2(Point<2>(0, 0),
                                   Point<2>(4, 4),
@@ -275,7 +275,7 @@ namespace loads_tractions
   }
 
 
-  TEST(Boundary, a_traction_that_loads_nothing_is_a_mistake)
+  TEST(Loads, a_traction_that_loads_nothing_is_a_mistake)
   {
     const auto complaint =
       [](const std::function<void(TractionParameters &)> &f) {
@@ -321,7 +321,7 @@ namespace loads_tractions
   }
 
 
-  TEST(Boundary, point_loads_ride_on_the_points)
+  TEST(Loads, point_loads_ride_on_the_points)
   {
     LoadedBar           bar(1.3);
     PointLoadParameters tip, whole;

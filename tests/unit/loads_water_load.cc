@@ -107,7 +107,7 @@ namespace loads_water_load
 
 
 
-  TEST(Boundary, nodal_water_load_keeps_resultant_and_moment)
+  TEST(Loads, nodal_water_load_keeps_resultant_and_moment)
   {
     const double            h = 0.25;
     const BackgroundGrid<2> grid(Point<2>(0, 0),
@@ -199,7 +199,7 @@ namespace loads_water_load
 
 
 
-  TEST(Boundary, support_in_degenerate_cases)
+  TEST(Loads, support_in_degenerate_cases)
   {
     const std::array<unsigned int, 2> n = {{6, 5}};
     std::vector<SupportNode<2>>       support;
@@ -239,7 +239,7 @@ namespace loads_water_load
 
 
 
-  TEST(Boundary, mirrored_dyke_has_the_mirrored_load)
+  TEST(Loads, mirrored_dyke_has_the_mirrored_load)
   {
     const double            h = 0.25, length = 12.;
     const BackgroundGrid<2> grid(Point<2>(0, 0),
@@ -279,7 +279,7 @@ namespace loads_water_load
 
 
 
-  TEST(Boundary, water_load_of_a_slice_in_3d)
+  TEST(Loads, water_load_of_a_slice_in_3d)
   {
     const double            h = 0.5;
     const BackgroundGrid<2> grid_2(Point<2>(0, 0),

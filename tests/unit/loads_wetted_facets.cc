@@ -111,7 +111,7 @@ namespace loads_wetted_facets
 
   // Steps of boxes, as of support domains, with vertices on the sides of
   // others, and faces exactly at the level.
-  TEST(Boundary, water_in_3d_climbs_steps)
+  TEST(Loads, water_in_3d_climbs_steps)
   {
     const auto         grid = make_grid();
     constexpr unsigned left = 1, right = 2, top = 8, ends = 16 | 32;
@@ -172,7 +172,7 @@ namespace loads_wetted_facets
 
 
   // Extruded, the plane's load is that of the facets, node by node.
-  TEST(Boundary, water_on_facets_equals_that_on_a_prismatic_body)
+  TEST(Loads, water_on_facets_equals_that_on_a_prismatic_body)
   {
     const auto   grid = make_grid(2.);
     SurfaceChain chain;
@@ -226,7 +226,7 @@ namespace loads_wetted_facets
 
 
   // A body that hovers over the bottom stands on it: no water comes under it.
-  TEST(Boundary, water_in_3d_stays_out_of_a_slit)
+  TEST(Loads, water_in_3d_stays_out_of_a_slit)
   {
     const auto         grid = make_grid();
     constexpr unsigned free = 1 | 2 | 4 | 8;
@@ -243,7 +243,7 @@ namespace loads_wetted_facets
 
   // On a detected dyke: the thrust is exact, what lies behind the crest is dry,
   // and a gap in the crest lets the water in.
-  TEST(Boundary, water_in_3d_comes_through_a_gap)
+  TEST(Loads, water_in_3d_comes_through_a_gap)
   {
     const auto grid = make_grid(8.);
     // The crest runs obliquely; behind it a ditch, deeper than the level.
@@ -290,7 +290,7 @@ namespace loads_wetted_facets
 
 
   // Ground up to the closed wall, with a pit behind a bank.
-  TEST(Boundary, water_in_3d_starts_where_ground_leaves_the_wall)
+  TEST(Loads, water_in_3d_starts_where_ground_leaves_the_wall)
   {
     const auto      grid   = make_grid();
     const Facets<3> facets = detect_heights(
@@ -319,7 +319,7 @@ namespace loads_wetted_facets
 
 
   // A hollow inside, and a smaller body beside the large one, stay dry.
-  TEST(Boundary, water_in_3d_loads_the_outside_of_the_largest_body)
+  TEST(Loads, water_in_3d_loads_the_outside_of_the_largest_body)
   {
     const auto         grid = make_grid();
     constexpr unsigned all  = 63;

@@ -51,7 +51,7 @@ namespace loads_wetted_surface
 
 
 
-  TEST(Boundary, water_on_a_vertical_wall_is_hydrostatic)
+  TEST(Loads, water_on_a_vertical_wall_is_hydrostatic)
   {
     const double            h = 0.5;
     const BackgroundGrid<2> grid(Point<2>(0, 0),
@@ -100,7 +100,7 @@ namespace loads_wetted_surface
 
 
 
-  TEST(Boundary, water_walks_from_the_toe_to_the_level)
+  TEST(Loads, water_walks_from_the_toe_to_the_level)
   {
     const BackgroundGrid<2> grid(Point<2>(0, 0),
                                  Point<2>(20, 8),
@@ -171,7 +171,7 @@ namespace loads_wetted_surface
 
 
 
-  TEST(Boundary, parameters_of_the_water_are_read)
+  TEST(Loads, parameters_of_the_water_are_read)
   {
     WaterParameters  parameters;
     ParameterHandler prm;

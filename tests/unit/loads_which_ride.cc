@@ -9,7 +9,7 @@ namespace loads_which_ride
 {
   using namespace Waker;
 
-  TEST(Boundary, which_tractions_ride)
+  TEST(Loads, which_tractions_ride)
   {
     TractionParameters t;
     t.name   = "load";

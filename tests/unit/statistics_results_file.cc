@@ -141,7 +141,7 @@ namespace Waker::statistics_results_file
   } // namespace
 
 
-  TEST(Reliability, store_holds_what_the_records_hold)
+  TEST(Statistics, store_holds_what_the_records_hold)
   {
     const TemporaryFolder     folder;
     const std::vector<Record> records = six_records();
@@ -208,7 +208,7 @@ namespace Waker::statistics_results_file
   }
 
 
-  TEST(Reliability, store_holds_slides_and_pads_them)
+  TEST(Statistics, store_holds_slides_and_pads_them)
   {
     const TemporaryFolder folder;
     std::vector<Record>   records = six_records();
@@ -245,7 +245,7 @@ namespace Waker::statistics_results_file
   }
 
 
-  TEST(Reliability, store_holds_sliding_masses_and_pads_them)
+  TEST(Statistics, store_holds_sliding_masses_and_pads_them)
   {
     const TemporaryFolder folder;
     std::vector<Record>   records = six_records();
@@ -298,7 +298,7 @@ namespace Waker::statistics_results_file
   }
 
 
-  TEST(Reliability, store_says_what_is_missing)
+  TEST(Statistics, store_says_what_is_missing)
   {
     const TemporaryFolder folder;
     write(folder.file("results.h5"), six_records());
@@ -317,7 +317,7 @@ namespace Waker::statistics_results_file
   }
 
 
-  TEST(Reliability, store_does_not_depend_on_the_order_of_records)
+  TEST(Statistics, store_does_not_depend_on_the_order_of_records)
   {
     const TemporaryFolder folder;
     std::vector<Record>   records = six_records();
@@ -335,7 +335,7 @@ namespace Waker::statistics_results_file
   }
 
 
-  TEST(Reliability, store_of_nothing_is_empty)
+  TEST(Statistics, store_of_nothing_is_empty)
   {
     const TemporaryFolder folder;
     write(folder.file("results.h5"), {});
@@ -345,7 +345,7 @@ namespace Waker::statistics_results_file
   }
 
 
-  TEST(Reliability, store_is_written_whole_or_not_at_all)
+  TEST(Statistics, store_is_written_whole_or_not_at_all)
   {
     const TemporaryFolder folder;
     const std::string     path = folder.file("results.h5");
@@ -387,7 +387,7 @@ namespace Waker::statistics_results_file
   }
 
 
-  TEST(Reliability, store_takes_parameters_of_any_length)
+  TEST(Statistics, store_takes_parameters_of_any_length)
   {
     // Attributes of fixed length end at 64 KB.
     const TemporaryFolder folder;
@@ -404,7 +404,7 @@ namespace Waker::statistics_results_file
 
 
   // store_opens.py reads it with other programs.
-  TEST(Reliability, store_for_other_programs)
+  TEST(Statistics, store_for_other_programs)
   {
     const char *const     wanted = std::getenv("WAKER_TEST_STORE");
     const TemporaryFolder folder;

@@ -34,7 +34,7 @@ namespace Waker::store_campaign_files
   } // namespace
 
 
-  TEST(Reliability, files_of_a_campaign_go_and_nothing_else)
+  TEST(Store, files_of_a_campaign_go_and_nothing_else)
   {
     const TemporaryFolder folder;
     for (const std::string name :
@@ -84,7 +84,7 @@ namespace Waker::store_campaign_files
   }
 
 
-  TEST(Reliability, files_of_a_campaign_are_never_reached_by_a_link)
+  TEST(Store, files_of_a_campaign_are_never_reached_by_a_link)
   {
     const TemporaryFolder other;
     for (const std::string name : {"statistics",
@@ -120,7 +120,7 @@ namespace Waker::store_campaign_files
   }
 
 
-  TEST(Reliability, table_that_is_not_in_the_list_cannot_be_written)
+  TEST(Store, table_that_is_not_in_the_list_cannot_be_written)
   {
     EXPECT_EQ(report_path("a/report", "classes.csv"), "a/report/classes.csv");
     EXPECT_THROW(report_path("a/report", "new.csv"), std::logic_error);

@@ -28,7 +28,7 @@ namespace Waker::store_campaign_writer
   } // namespace
 
 
-  TEST(Reliability, writers_claim_each_realisation_once)
+  TEST(Store, writers_claim_each_realisation_once)
   {
     const TemporaryFolder folder;
     {
@@ -49,7 +49,7 @@ namespace Waker::store_campaign_writer
   }
 
 
-  TEST(Reliability, claims_of_a_killed_writer_are_free)
+  TEST(Store, claims_of_a_killed_writer_are_free)
   {
     const TemporaryFolder folder;
     RunningProcess        process([&]() {
@@ -74,7 +74,7 @@ namespace Waker::store_campaign_writer
   }
 
 
-  TEST(Reliability, writer_of_another_host_is_respected_by_overwriting)
+  TEST(Store, writer_of_another_host_is_respected_by_overwriting)
   {
     const TemporaryFolder folder;
     const std::string     path = folder.file("writers/elsewhere-7.lock");
@@ -101,7 +101,7 @@ namespace Waker::store_campaign_writer
   }
 
 
-  TEST(Reliability, writers_at_the_same_time_share_the_work)
+  TEST(Store, writers_at_the_same_time_share_the_work)
   {
     const TemporaryFolder folder;
     constexpr unsigned    n_writers = 5, n_tasks = 200;

@@ -30,7 +30,7 @@ namespace Waker::store_journal
   } // namespace
 
 
-  TEST(Reliability, journals_return_what_was_appended)
+  TEST(Store, journals_return_what_was_appended)
   {
     const TemporaryFolder folder;
     {
@@ -61,7 +61,7 @@ namespace Waker::store_journal
   }
 
 
-  TEST(Reliability, journal_drops_a_last_line_without_end)
+  TEST(Store, journal_drops_a_last_line_without_end)
   {
     const TemporaryFolder folder;
     JournalWriter(folder.path, hash).append(synthetic_record(0, 0));
@@ -79,7 +79,7 @@ namespace Waker::store_journal
   }
 
 
-  TEST(Reliability, journal_reader_waits_for_the_end_of_a_line)
+  TEST(Store, journal_reader_waits_for_the_end_of_a_line)
   {
     const TemporaryFolder folder;
     JournalReader         reader(folder.path, hash);
@@ -108,7 +108,7 @@ namespace Waker::store_journal
   }
 
 
-  TEST(Reliability, journal_counts_damaged_lines_and_keeps_the_rest)
+  TEST(Store, journal_counts_damaged_lines_and_keeps_the_rest)
   {
     const TemporaryFolder folder;
     JournalWriter(folder.path, hash).append(synthetic_record(0, 0));
@@ -127,7 +127,7 @@ namespace Waker::store_journal
   }
 
 
-  TEST(Reliability, journals_of_other_campaigns_are_skipped_and_named)
+  TEST(Store, journals_of_other_campaigns_are_skipped_and_named)
   {
     const TemporaryFolder folder;
     JournalWriter(folder.path, hash).append(synthetic_record(0, 0));
@@ -156,7 +156,7 @@ namespace Waker::store_journal
 
   // One flipped bit anywhere loses one line, which is counted, and changes
   // none.
-  TEST(Reliability, journal_finds_every_flipped_bit)
+  TEST(Store, journal_finds_every_flipped_bit)
   {
     const TemporaryFolder folder;
     {
@@ -202,7 +202,7 @@ namespace Waker::store_journal
   }
 
 
-  TEST(Reliability, journal_without_checksums_must_hold_possible_values)
+  TEST(Store, journal_without_checksums_must_hold_possible_values)
   {
     const TemporaryFolder folder;
     std::string           line = plain_line(1);
@@ -223,7 +223,7 @@ namespace Waker::store_journal
   }
 
 
-  TEST(Reliability, journal_whose_first_line_is_damaged_is_known_by_its_lines)
+  TEST(Store, journal_whose_first_line_is_damaged_is_known_by_its_lines)
   {
     const TemporaryFolder folder;
     JournalWriter(folder.path, hash).append(synthetic_record(0, 1));
@@ -243,7 +243,7 @@ namespace Waker::store_journal
   }
 
 
-  TEST(Reliability, journal_of_a_newer_version_is_refused)
+  TEST(Store, journal_of_a_newer_version_is_refused)
   {
     const TemporaryFolder folder;
     JournalWriter(folder.path, hash).append(synthetic_record(0, 0));
@@ -265,7 +265,7 @@ namespace Waker::store_journal
   }
 
 
-  TEST(Reliability, journals_count_a_realisation_once)
+  TEST(Store, journals_count_a_realisation_once)
   {
     const TemporaryFolder folder;
     Record                record = synthetic_record(0, 1);

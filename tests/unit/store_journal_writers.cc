@@ -32,7 +32,7 @@ namespace Waker::store_journal_writers
   } // namespace
 
 
-  TEST(Reliability, journals_of_writers_at_the_same_time_lose_nothing)
+  TEST(Store, journals_of_writers_at_the_same_time_lose_nothing)
   {
     const TemporaryFolder folder;
     constexpr unsigned    n_writers = 4;
@@ -72,7 +72,7 @@ namespace Waker::store_journal_writers
   }
 
 
-  TEST(Reliability, journal_keeps_every_finished_line_when_killed)
+  TEST(Store, journal_keeps_every_finished_line_when_killed)
   {
     for (const unsigned int n_before_the_kill : {1u, 17u, 60u})
       {
@@ -110,7 +110,7 @@ namespace Waker::store_journal_writers
   }
 
 
-  TEST(Reliability, journals_say_which_machine_computed)
+  TEST(Store, journals_say_which_machine_computed)
   {
     const TemporaryFolder folder;
     {
@@ -162,7 +162,7 @@ namespace Waker::store_journal_writers
   }
 
 
-  TEST(Reliability, journal_on_a_full_disk_keeps_whole_lines)
+  TEST(Store, journal_on_a_full_disk_keeps_whole_lines)
   {
     const TemporaryFolder folder;
     const auto            exit = exit_code(in_another_process([&]() {
@@ -209,7 +209,7 @@ namespace Waker::store_journal_writers
   }
 
 
-  TEST(Reliability, journal_that_cannot_be_created_is_refused)
+  TEST(Store, journal_that_cannot_be_created_is_refused)
   {
     const TemporaryFolder folder;
     put(folder.file("file"), "mine");

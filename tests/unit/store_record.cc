@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <waker/base/errors.h>
-#include <waker/store/campaign_info.h>
 #include <waker/store/record.h>
 #include <waker/store/record_json.h>
 
-#include "output_temporary_folder.h"
 #include "store_records.h"
 #include <cmath>
 #include <gtest/gtest.h>
@@ -15,15 +12,6 @@ namespace Waker::store_record
 {
   namespace
   {
-    std::string
-    replaced(std::string text, const std::string &from, const std::string &to)
-    {
-      const std::size_t at = text.find(from);
-      EXPECT_NE(at, std::string::npos) << from;
-      return text.replace(at, from.size(), to);
-    }
-
-
     std::string
     problem(const std::string &text)
     {
@@ -40,7 +28,7 @@ namespace Waker::store_record
   } // namespace
 
 
-  TEST(Reliability, record_returns_with_every_bit)
+  TEST(Store, record_returns_with_every_bit)
   {
     std::mt19937_64                        generator(1);
     std::uniform_real_distribution<double> exponent(-300., -37.); // plausible
@@ -85,7 +73,7 @@ namespace Waker::store_record
   }
 
 
-  TEST(Reliability, record_keeps_why_an_end_is_not_final)
+  TEST(Store, record_keeps_why_an_end_is_not_final)
   {
     Record      record = synthetic_record(0, 2);
     std::size_t last   = fingerprint(record);
@@ -116,7 +104,7 @@ namespace Waker::store_record
   }
 
 
-  TEST(Reliability, record_keeps_the_sliding_masses)
+  TEST(Store, record_keeps_the_sliding_masses)
   {
     Record      record = synthetic_record(0, 1);
     std::size_t last   = fingerprint(record);
@@ -186,7 +174,7 @@ namespace Waker::store_record
 
 
   // Journals of schema version 1 stay readable: change this line never.
-  TEST(Reliability, record_of_schema_1_is_read)
+  TEST(Store, record_of_schema_1_is_read)
   {
     const Record record = record_from_json(
       R"({"scenario":2,"realisation":17,"outcome":"initial failure",)"
@@ -225,7 +213,7 @@ namespace Waker::store_record
   }
 
 
-  TEST(Reliability, record_is_one_line_whatever_it_holds)
+  TEST(Store, record_is_one_line_whatever_it_holds)
   {
     Record record         = synthetic_record(0, 1);
     record.stop_reason    = "two\nlines, \"quotes\", no UTF-8: \xff";
@@ -241,7 +229,7 @@ namespace Waker::store_record
   }
 
 
-  TEST(Reliability, fingerprint_sees_results_but_not_the_clock)
+  TEST(Store, fingerprint_sees_results_but_not_the_clock)
   {
     const Record record = synthetic_record(1, 3);
     Record       other  = record;
@@ -263,7 +251,7 @@ namespace Waker::store_record
   }
 
 
-  TEST(Reliability, record_says_what_is_wrong_with_a_line)
+  TEST(Store, record_says_what_is_wrong_with_a_line)
   {
     const std::string line = to_json(synthetic_record(0, 1));
     EXPECT_EQ(problem(line), "");
@@ -303,7 +291,7 @@ namespace Waker::store_record
 
 
   // A simulation that explodes must not write what is then taken for damage.
-  TEST(Reliability, record_with_impossible_numbers_can_be_read)
+  TEST(Store, record_with_impossible_numbers_can_be_read)
   {
     Record record          = synthetic_record(0, 1);
     record.residual_height = 1e30;
@@ -321,7 +309,7 @@ namespace Waker::store_record
 
 
   // How members are added: lines of before do not have them.
-  TEST(Reliability, record_member_that_a_line_lacks_is_empty)
+  TEST(Store, record_member_that_a_line_lacks_is_empty)
   {
     using namespace RecordJson;
     const auto            range = Plausible::length;
@@ -363,98 +351,5 @@ namespace Waker::store_record
     take(Json::parse(R"({"soil":[1.5,2,3]})"), "soil", range, soil);
     ASSERT_TRUE(soil.has_value());
     EXPECT_EQ(soil->area, 1.5);
-  }
-
-
-  TEST(Reliability, campaign_info_returns_from_its_file)
-  {
-    const TemporaryFolder folder;
-    const std::string     path   = folder.file("campaign.json");
-    CampaignInfo          info   = synthetic_campaign();
-    info.scenarios[0].scales     = {1. / 3., 0.5, 7.};
-    info.scenarios[0].base_level = -6.;
-    info.write(path);
-
-    const CampaignInfo copy = CampaignInfo::read(path);
-    EXPECT_EQ(copy.schema_version, info.schema_version);
-    EXPECT_EQ(copy.version, info.version);
-    EXPECT_EQ(copy.compiler, info.compiler);
-    EXPECT_EQ(copy.build_flags, info.build_flags);
-    EXPECT_EQ(copy.seed, info.seed);
-    EXPECT_EQ(copy.realisations, info.realisations);
-    EXPECT_EQ(copy.hash, info.hash);
-    EXPECT_EQ(copy.swept_parameter, info.swept_parameter);
-    EXPECT_EQ(copy.parameters, info.parameters);
-    ASSERT_EQ(copy.scenarios.size(), 2u);
-    for (const unsigned int k : {0, 1})
-      {
-        EXPECT_EQ(copy.scenarios[k].value, info.scenarios[k].value);
-        EXPECT_EQ(copy.scenarios[k].water_level, info.scenarios[k].water_level);
-        EXPECT_EQ(copy.scenarios[k].crest_level, info.scenarios[k].crest_level);
-        EXPECT_EQ(copy.scenarios[k].base_level, info.scenarios[k].base_level);
-        EXPECT_EQ(copy.scenarios[k].scales, info.scenarios[k].scales);
-        EXPECT_EQ(copy.scenarios[k].hash, info.scenarios[k].hash);
-      }
-  }
-
-
-  TEST(Reliability, campaign_info_refuses_what_is_none)
-  {
-    const TemporaryFolder folder;
-    const std::string     path    = folder.file("campaign.json");
-    const auto            problem = [&]() -> std::string {
-      try
-        {
-          CampaignInfo::read(path);
-        }
-      catch (const UserError &error)
-        {
-          EXPECT_EQ(error.where, path);
-          return error.problem;
-        }
-      return "";
-    };
-    EXPECT_EQ(problem(), "cannot be read: No such file or directory");
-
-    synthetic_campaign().write(path);
-    const std::string good = get(path);
-    EXPECT_EQ(problem(), "");
-    put(path, good.substr(0, good.size() / 2));
-    EXPECT_EQ(problem(), "is not JSON: damaged, or of something else");
-    for (const auto &[from, to] :
-         std::vector<std::pair<std::string, std::string>>{
-           {"\"seed\"", "\"need\""},
-           {"\"water_level\": 4.5", "\"water_level\": 5.5"},
-           {"\"schema_version\": 2", "\"schema_version\": 3"},
-           {"\"schema_version\": 2", "\"schema_version\": 0"},
-           {"\"crc\"", "\"csc\""}})
-      {
-        put(path, replaced(good, from, to));
-        EXPECT_EQ(problem(), "is damaged: its checksum is wrong") << to;
-      }
-    // How the values are laid out does not matter.
-    put(path, replaced(good, "\n  \"seed\"", "\n\"seed\""));
-    EXPECT_EQ(problem(), "");
-
-    // An earlier version wrote no checksum, a later one writes what it likes.
-    const auto without = [&](const std::string &version) {
-      std::string       text = replaced(good, "\"schema_version\": 2", version);
-      const std::size_t at   = text.find(",\n  \"crc\"");
-      return text.substr(0, at) + "}";
-    };
-    put(path, without("\"schema_version\": 1"));
-    EXPECT_EQ(problem(), "");
-    put(path, replaced(without("\"schema_version\": 1"), "\"seed\"", "\"x\""));
-    EXPECT_NE(problem().find("'seed' not found"), std::string::npos)
-      << problem();
-    CampaignInfo later   = synthetic_campaign();
-    later.schema_version = 3;
-    later.write(path);
-    EXPECT_NE(problem().find("newer version"), std::string::npos) << problem();
-
-    CampaignInfo empty = synthetic_campaign();
-    empty.scenarios.clear();
-    empty.write(path);
-    EXPECT_EQ(problem(), "is damaged: it has no scenario");
   }
 } // namespace Waker::store_record

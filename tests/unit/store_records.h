@@ -5,6 +5,8 @@
 #include <waker/store/campaign_info.h>
 #include <waker/store/record.h>
 
+#include <gtest/gtest.h>
+
 namespace Waker
 {
   /// A dyke that stands (even numbers) or slides twice and floods (odd ones).
@@ -96,6 +98,16 @@ namespace Waker
                             {"3,5 µm", 3.5, 5., 0., {}, "bb"}};
     info.parameters      = "# \"quoted\"\nsubsection Water\nend\n";
     return info;
+  }
+
+
+  /// The text with a part of it, which is there, as another one.
+  inline std::string
+  replaced(std::string text, const std::string &from, const std::string &to)
+  {
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return text.replace(at, from.size(), to);
   }
 } // namespace Waker
 

@@ -72,7 +72,7 @@ namespace surface_cell_surface
   } // namespace
 
 
-  TEST(Boundary, active_cells_are_those_that_a_point_or_a_domain_is_in)
+  TEST(Surface, active_cells_are_those_that_a_point_or_a_domain_is_in)
   {
     const BackgroundGrid<2> g = grid<2>();
     CellSurface<2>          cells(g, 0);
@@ -118,7 +118,7 @@ namespace surface_cell_surface
   }
 
 
-  TEST(Boundary, closed_faces_are_marked)
+  TEST(Surface, closed_faces_are_marked)
   {
     const BackgroundGrid<2> g = grid<2>();
     CellSurface<2>          cells(g, 1u << 2); // the bottom
@@ -133,7 +133,7 @@ namespace surface_cell_surface
   }
 
 
-  TEST(Boundary, surface_by_volume_encloses_the_volume_of_the_points)
+  TEST(Surface, surface_by_volume_encloses_the_volume_of_the_points)
   {
     const BackgroundGrid<2> g = grid<2>();
     CellSurface<2>          cells(g, 0);
@@ -169,7 +169,7 @@ namespace surface_cell_surface
   }
 
 
-  TEST(Boundary, surface_by_volume_is_refused_where_it_is_not_determined)
+  TEST(Surface, surface_by_volume_is_refused_where_it_is_not_determined)
   {
     const BackgroundGrid<2> g = grid<2>();
     CellSurface<2>          cells(g, 0);

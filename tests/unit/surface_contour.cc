@@ -64,7 +64,7 @@ namespace surface_contour
 
 
 
-  TEST(Boundary, contour_is_that_of_the_brute_force_union)
+  TEST(Surface, contour_is_that_of_the_brute_force_union)
   {
     std::mt19937    random(3);
     BoxUnionContour search; // its work arrays must not matter

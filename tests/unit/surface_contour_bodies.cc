@@ -136,7 +136,7 @@ namespace surface_contour_bodies
 
 
 
-  TEST(Boundary, contour_of_a_lattice_is_a_rectangle_wherever_it_lies)
+  TEST(Surface, contour_of_a_lattice_is_a_rectangle_wherever_it_lies)
   {
     Random random(1);
     for (unsigned int trial = 0; trial < 500; ++trial)
@@ -176,7 +176,7 @@ namespace surface_contour_bodies
 
 
 
-  TEST(Boundary, contour_needs_the_points_near_the_surface_only)
+  TEST(Surface, contour_needs_the_points_near_the_surface_only)
   {
     // The restricted search gives the contour of the full one.
     Random      random(2);
@@ -210,7 +210,7 @@ namespace surface_contour_bodies
 
 
 
-  TEST(Boundary, contour_filled_from_the_left_is_not_symmetric)
+  TEST(Surface, contour_filled_from_the_left_is_not_symmetric)
   {
     // What is filled on the way to the right differs from what is filled on the
     // way to the left; with the symmetric rule nothing does.

@@ -190,7 +190,7 @@ namespace surface_contour_faces
 
 
 
-  TEST(Boundary, faces_are_those_of_the_brute_force_union)
+  TEST(Surface, faces_are_those_of_the_brute_force_union)
   {
     std::mt19937  random(8);
     BoxUnionFaces search;
@@ -256,7 +256,7 @@ namespace surface_contour_faces
 
 
 
-  TEST(Boundary, faces_need_the_points_near_the_surface_only)
+  TEST(Surface, faces_need_the_points_near_the_surface_only)
   {
     Lattice::Random random(9);
     BoxUnionFaces   search;

@@ -8,7 +8,7 @@ namespace surface_facet_links
 {
   using namespace Waker;
 
-  TEST(Boundary, facets_are_linked_through_common_and_overlapping_sides)
+  TEST(Surface, facets_are_linked_through_common_and_overlapping_sides)
   {
     // A rectangle beside two of half its height: sides overlap along y.
     Facets<3> facets;

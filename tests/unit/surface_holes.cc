@@ -100,14 +100,14 @@ namespace surface_holes
   } // namespace
 
 
-  TEST(Boundary, holes_are_known_in_the_plane)
+  TEST(Surface, holes_are_known_in_the_plane)
   {
     test_holes<2>("contour");
     test_holes<2>("proximity field");
   }
 
 
-  TEST(Boundary, holes_are_known_in_space)
+  TEST(Surface, holes_are_known_in_space)
   {
     test_holes<3>("contour");
     test_holes<3>("proximity field");

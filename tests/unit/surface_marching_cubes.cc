@@ -102,7 +102,7 @@ namespace surface_marching_cubes
 
   // Every edge in two triangles, once in each direction: on fields where all
   // 256 cells and all saddles occur, with closed and open sides.
-  TEST(Boundary, marching_cubes_is_closed_and_oriented)
+  TEST(Surface, marching_cubes_is_closed_and_oriented)
   {
     const Coordinates x = lattice({{12, 11, 10}}, 0.5, Point<3>(-1, 2, 0));
     std::mt19937      random(5);
@@ -147,7 +147,7 @@ namespace surface_marching_cubes
 
 
 
-  TEST(Boundary, sphere_by_marching_cubes_converges_with_second_order)
+  TEST(Surface, sphere_by_marching_cubes_converges_with_second_order)
   {
     // A field that is not linear along the edges; the sphere anywhere in a
     // cell.
@@ -191,7 +191,7 @@ namespace surface_marching_cubes
 
   // The surface of a prismatic field is that of marching squares, saddles
   // included.
-  TEST(Boundary, prismatic_field_has_the_section_of_marching_squares)
+  TEST(Surface, prismatic_field_has_the_section_of_marching_squares)
   {
     const Coordinates x = lattice({{9, 8, 4}}, 0.25, Point<3>());
     std::mt19937      random(8);
@@ -237,7 +237,7 @@ namespace surface_marching_cubes
 
 
 
-  TEST(Boundary, mirrored_field_has_the_mirrored_surface)
+  TEST(Surface, mirrored_field_has_the_mirrored_surface)
   {
     const Coordinates x = lattice({{8, 8, 8}}, 1., Point<3>(-3.5, -3.5, -3.5));
     std::mt19937      random(13);

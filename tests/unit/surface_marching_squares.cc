@@ -44,7 +44,7 @@ namespace surface_marching_squares
 
 
 
-  TEST(Boundary, saddles_are_decided_by_their_mean)
+  TEST(Surface, saddles_are_decided_by_their_mean)
   {
     const auto mirrored = [](std::vector<std::vector<double>> rows) {
       for (auto &row : rows)
@@ -82,7 +82,7 @@ namespace surface_marching_squares
 
 
 
-  TEST(Boundary, nodes_at_the_threshold_make_no_empty_segments)
+  TEST(Surface, nodes_at_the_threshold_make_no_empty_segments)
   {
     // Alone and in a row they have no area; three of a cell are a triangle.
     EXPECT_TRUE(contour({{0, 0, 0}, {0, 0.5, 0}, {0, 0, 0}}).chains.empty());

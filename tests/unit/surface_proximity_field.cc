@@ -61,7 +61,7 @@ namespace surface_proximity_field
   // all offsets of the points in a cell. References: an independent
   // computation. The data of doc/verification/proximity_field.md: one row per
   // radius and vertical offset.
-  TEST(Boundary, flat_face_has_no_mean_offset)
+  TEST(Surface, flat_face_has_no_mean_offset)
   {
     struct Reference
     {
@@ -140,7 +140,7 @@ namespace surface_proximity_field
 
 
 
-  TEST(Boundary, kernel_integrates_to_one)
+  TEST(Surface, kernel_integrates_to_one)
   {
     // The sum of the nodal values times h^2 is a quadrature of the kernel; over
     // all offsets of the point in a cell its mean is the integral.
@@ -171,7 +171,7 @@ namespace surface_proximity_field
 
 
 
-  TEST(Boundary, mirrored_base_does_not_halve_the_field)
+  TEST(Surface, mirrored_base_does_not_halve_the_field)
   {
     const double            h = 0.25;
     const BackgroundGrid<2> grid(Point<2>(0, 0),
@@ -236,7 +236,7 @@ namespace surface_proximity_field
 
 
 
-  TEST(Boundary, corner_of_two_closed_faces_is_filled)
+  TEST(Surface, corner_of_two_closed_faces_is_filled)
   {
     const double            h = 0.5;
     const BackgroundGrid<2> grid(Point<2>(0, 0),
@@ -269,7 +269,7 @@ namespace surface_proximity_field
 
 
 
-  TEST(Boundary, chains_are_closed_oriented_and_sorted)
+  TEST(Surface, chains_are_closed_oriented_and_sorted)
   {
     const double            h = 0.25;
     const BackgroundGrid<2> grid(Point<2>(0, 0),
@@ -321,7 +321,7 @@ namespace surface_proximity_field
 
 
 
-  TEST(Boundary, body_in_the_margin_closes)
+  TEST(Surface, body_in_the_margin_closes)
   {
     const BackgroundGrid<2> grid(Point<2>(0, 0),
                                  Point<2>(4, 4),
@@ -338,7 +338,7 @@ namespace surface_proximity_field
 
 
 
-  TEST(Boundary, slice_in_3d_has_the_field_of_2d)
+  TEST(Surface, slice_in_3d_has_the_field_of_2d)
   {
     const double            h = 0.5;
     const BackgroundGrid<2> grid_2(Point<2>(0, 0),
@@ -374,7 +374,7 @@ namespace surface_proximity_field
 
 
 
-  TEST(Boundary, parameters_of_the_surface_are_read)
+  TEST(Surface, parameters_of_the_surface_are_read)
   {
     SurfaceParameters parameters;
     ParameterHandler  prm;

@@ -41,7 +41,7 @@ namespace surface_proximity_surface
 
 
 
-  TEST(Boundary, kernel_in_3d_integrates_to_one)
+  TEST(Surface, kernel_in_3d_integrates_to_one)
   {
     const double            h = 0.25;
     const BackgroundGrid<3> grid(Point<3>(-1, -1, -1),
@@ -75,7 +75,7 @@ namespace surface_proximity_surface
   // Height of a flat top, minus the edge of the support domains, over offsets
   // of the points in a cell. References: an independent computation in Python.
   // The data of doc/verification/surface_3d.md.
-  TEST(Boundary, flat_face_in_3d_has_no_mean_offset)
+  TEST(Surface, flat_face_in_3d_has_no_mean_offset)
   {
     struct Reference
     {
@@ -154,7 +154,7 @@ namespace surface_proximity_surface
   // The detected volume and area of a ball of points, over places of the ball
   // and of the points in a cell, against the cell size: an error of second
   // order. The data of doc/verification/surface_3d.md.
-  TEST(Boundary, detected_volume_of_a_ball_converges)
+  TEST(Surface, detected_volume_of_a_ball_converges)
   {
     std::mt19937                           random(3);
     std::uniform_real_distribution<double> uniform(0., 1.);
@@ -219,7 +219,7 @@ namespace surface_proximity_surface
 
 
 
-  TEST(Boundary, mirrors_in_3d)
+  TEST(Surface, mirrors_in_3d)
   {
     const double            h = 0.25;
     const BackgroundGrid<3> grid(Point<3>(0, 0, 0),
@@ -280,7 +280,7 @@ namespace surface_proximity_surface
 
   // A slice between closed sides: how near is its section to that in 2D? The
   // kernel of 3D, integrated along z, is narrower than that of 2D.
-  TEST(Boundary, slice_in_3d_is_near_the_contour_in_2d)
+  TEST(Surface, slice_in_3d_is_near_the_contour_in_2d)
   {
     const double            h = 0.5;
     const BackgroundGrid<3> grid(Point<3>(0, 0, 0),

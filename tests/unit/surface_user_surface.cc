@@ -167,7 +167,7 @@ namespace surface_user_surface
   } // namespace
 
 
-  TEST(Boundary, user_surface_is_read_in_two_dimensions)
+  TEST(Surface, user_surface_is_read_in_two_dimensions)
   {
     const UserSurface<2> plain = read<2>(square);
     ASSERT_EQ(plain.vertices.size(), 4u);
@@ -184,7 +184,7 @@ namespace surface_user_surface
   }
 
 
-  TEST(Boundary, user_surface_is_refused_in_two_dimensions)
+  TEST(Surface, user_surface_is_refused_in_two_dimensions)
   {
     EXPECT_EQ(complaint<2>(square), "");
     EXPECT_EQ(complaint<2>("\xEF\xBB\xBF" + std::string(square)), "");
@@ -217,7 +217,7 @@ namespace surface_user_surface
   }
 
 
-  TEST(Boundary, user_surface_is_read_in_three_dimensions)
+  TEST(Surface, user_surface_is_read_in_three_dimensions)
   {
     const auto           triangles = box(Point<3>(1, 1, 1), Point<3>(3, 4, 5));
     const UserSurface<3> text      = read<3>(stl(triangles));
@@ -247,7 +247,7 @@ namespace surface_user_surface
   }
 
 
-  TEST(Boundary, carried_surface_follows_a_linear_motion)
+  TEST(Surface, carried_surface_follows_a_linear_motion)
   {
     // A rotation in small steps and a stretch: vertices see the same map again
     // and again, applied here to the corners directly.
@@ -294,7 +294,7 @@ namespace surface_user_surface
   }
 
 
-  TEST(Boundary, carried_vertex_without_material_around_follows_the_closest)
+  TEST(Surface, carried_vertex_without_material_around_follows_the_closest)
   {
     const BackgroundGrid<2> g = grid<2>();
     NodalState              nodes(g);

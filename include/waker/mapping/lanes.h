@@ -2,12 +2,14 @@
 #ifndef waker_mapping_lanes_h
 #define waker_mapping_lanes_h
 
+#include <waker/mapping/node_row.h>
+
 namespace Waker
 {
   /// Numbers of some material points, one per lane of a vector of the processor
   /// (GCC's and Clang's vector extension): one register of AVX, two of SSE2.
   using SingleLanes = float __attribute__((vector_size(32)));
-  using DoubleLanes = double __attribute__((vector_size(32)));
+  using DoubleLanes = Four;
 
   template <typename Lanes>
   struct LaneTraits;
