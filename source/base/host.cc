@@ -4,6 +4,10 @@
 #include <ctime>
 #include <unistd.h>
 
+#ifdef __GLIBC__
+#  include <malloc.h>
+#endif
+
 namespace Waker
 {
   std::string
@@ -26,5 +30,14 @@ namespace Waker
     char text[32];
     std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
     return text;
+  }
+
+
+  void
+  give_back_memory()
+  {
+#ifdef __GLIBC__
+    ::malloc_trim(0);
+#endif
   }
 } // namespace Waker

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/base/host.h>
 #include <waker/campaign/realisation_runner.h>
 #include <waker/campaign/unfinished.h>
 #include <waker/simulation/run_to_end.h>
@@ -82,6 +83,8 @@ namespace Waker
             so_far.state     = state.write();
             so_far.wall_time = earlier_time + seconds_since(begun);
             keeper.keep(state.step, state.time, so_far.write());
+            so_far.state = std::string();
+            give_back_memory();
           }
       }
 

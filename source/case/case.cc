@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/base/host.h>
 #include <waker/base/numbers.h>
 #include <waker/base/text.h>
 #include <waker/case/case.h>
@@ -89,7 +90,7 @@ namespace Waker
     programmes.prepare(p, initial_points);
     check_run_sizes(run_sizes(*this), p);
     if constexpr (dim == 3)
-      if (!p.surface.prismatic)
+      if (!p.surface.is_of_section(dim))
         sections = dyke_sections(grid, initial_points);
     if (p.sliding.watch)
       initial_crest(*this); // can it be found?
@@ -202,6 +203,7 @@ namespace Waker
             throw NumericalFailure(message.str());
           }
         scene.nodes.external_force = full; // the rest acts from now on
+        give_back_memory();                // what the solver took
       }
     else
       scene.set_internal_force(points);

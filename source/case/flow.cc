@@ -257,8 +257,8 @@ namespace Waker
       return;
     FlowAccount<dim>    &account = state.flow;
     const Tensor<1, dim> now     = force(nodes, report, state.time);
-    account.impulse +=
-      scheme.is_implicit ? 0.5 * dt * (account.force + now) : dt * now;
+    account.impulse += dt * (scheme.start_of_impulse * account.force +
+                             (1. - scheme.start_of_impulse) * now);
     account.force = now;
 
     if (!outlets.empty())

@@ -215,8 +215,7 @@ namespace Waker
   LoadProgrammes<dim>::changing_after(const double time) const
   {
     for (const LoadProgramme &programme : programmes)
-      if (programme.parameters().kind == LoadProgrammeKind::table_of_time &&
-          programme.last_change(programme.start()) > time)
+      if (programme.changes_after(time))
         return programme.parameters().path() + "Table";
     return "";
   }

@@ -307,12 +307,7 @@ namespace Waker
     for (const InflowParameters &inflow : inflows)
       inflow.check(dimension);
 
-    require_positive("Surface/Kernel radius", surface.kernel_radius);
-    if (!(surface.threshold > 0. && surface.threshold < 1.))
-      throw UserError("Surface/Threshold",
-                      "is " + number(surface.threshold),
-                      "above 0 and below 1");
-
+    surface.check();
     mapping.check();
     time.check();
     check_time_scheme(time, gravity, mapping);

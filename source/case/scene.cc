@@ -43,7 +43,7 @@ namespace Waker
     map(points);
     surfaces.reset(points);
     tractions.find(points, vertices, surfaces);
-    set_loads(points, time);
+    add_up_loads(points, time, the_case->programmes.start());
   }
 
 
@@ -101,7 +101,7 @@ namespace Waker
   Scene<dim>::set_loads(State<dim> &state)
   {
     do_at_step(state.step,
-               [&]() { set_loads(state.points, state.time, state.loads); });
+               [&]() { add_up_loads(state.points, state.time, state.loads); });
     tractions.record(state.time, state.tractions);
   }
 
@@ -111,6 +111,13 @@ namespace Waker
   Scene<dim>::meet_walls(State<dim> &state)
   {
     walls.reinit(nodes.mass, state.time, state.wall_tractions);
+  }
+
+
+  template <int dim>
+  void
+  Scene<dim>::set_first_force(const State<dim> &state)
+  {
     if (state.step == 0)
       set_internal_force(state.points);
   }
@@ -130,7 +137,8 @@ namespace Waker
   Scene<dim>::set_end_loads(const State<dim> &state, const double time)
   {
     if (loads_move())
-      set_loads(state.points, time, state.loads);
+      do_at_step(state.step,
+                 [&]() { add_up_loads(state.points, time, state.loads); });
   }
 
 
@@ -188,17 +196,9 @@ namespace Waker
 
   template <int dim>
   void
-  Scene<dim>::set_loads(const MaterialPoints<dim> &points, const double time)
-  {
-    set_loads(points, time, the_case->programmes.start());
-  }
-
-
-  template <int dim>
-  void
-  Scene<dim>::set_loads(const MaterialPoints<dim>     &points,
-                        const double                   time,
-                        const std::vector<LoadRecord> &records)
+  Scene<dim>::add_up_loads(const MaterialPoints<dim>     &points,
+                           const double                   time,
+                           const std::vector<LoadRecord> &records)
   {
     set_gravity<dim>(the_case->parameters.gravity.acceleration, nodes);
     driven.drive(

@@ -9,7 +9,7 @@ namespace Waker
     : given(parameters)
     , end(parameters.end_of_growth())
   {
-    if (given.kind != LoadProgrammeKind::growth)
+    if (has_table(given.kind))
       table = given.read_table();
   }
 
@@ -18,7 +18,7 @@ namespace Waker
   LoadProgramme::start() const
   {
     LoadRecord record;
-    if (given.kind != LoadProgrammeKind::growth)
+    if (has_table(given.kind))
       record.factor = table.value(0.);
     record.next = record.factor;
     return record;
@@ -109,5 +109,20 @@ namespace Waker
           return LastChange::never;
       }
     return LastChange::unknown;
+  }
+
+
+  bool
+  LoadProgramme::changes_after(const double time) const
+  {
+    switch (given.kind)
+      {
+        case LoadProgrammeKind::growth:
+        case LoadProgrammeKind::table_of_quantity:
+          return false;
+        case LoadProgrammeKind::table_of_time:
+          return table.last_change() > time;
+      }
+    return false;
   }
 } // namespace Waker

@@ -2,26 +2,9 @@
 #include <deal.II/base/exceptions.h>
 
 #include <waker/loads/water_load.h>
-#include <waker/loads/wet_body.h>
-#include <waker/loads/wet_section.h>
 
 namespace Waker
 {
-  template <int dim>
-  std::unique_ptr<WetSurface<dim>>
-  make_wet_surface(const BackgroundGrid<dim> &grid,
-                   const WaterSide            side,
-                   const SurfaceParameters   &surface)
-  {
-    if (side == WaterSide::none)
-      return nullptr;
-    if constexpr (dim == 3)
-      if (!surface.is_of_section(dim))
-        return std::make_unique<WetBody>(grid, side);
-    return std::make_unique<WetSection<dim>>(grid, side);
-  }
-
-
   template <int dim>
   WaterLoad<dim>::WaterLoad(const BackgroundGrid<dim> &grid,
                             const WaterParameters     &parameters,
@@ -78,12 +61,4 @@ namespace Waker
 
   template class WaterLoad<2>;
   template class WaterLoad<3>;
-  template std::unique_ptr<WetSurface<2>>
-  make_wet_surface(const BackgroundGrid<2> &,
-                   const WaterSide,
-                   const SurfaceParameters &);
-  template std::unique_ptr<WetSurface<3>>
-  make_wet_surface(const BackgroundGrid<3> &,
-                   const WaterSide,
-                   const SurfaceParameters &);
 } // namespace Waker

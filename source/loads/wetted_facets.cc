@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/grid/box_face.h>
 #include <waker/loads/facet_clip.h>
-#include <waker/loads/wetted_surface.h>
+#include <waker/loads/wetted_facets.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,7 @@ namespace Waker
 {
   namespace
   {
-    constexpr int    bottom_face = 2;
+    constexpr int    bottom_face = static_cast<int>(BoxFace::bottom);
     constexpr double far         = std::numeric_limits<double>::max();
     constexpr double link_limit  = 1e-6; // of facets that meet, in cells
     constexpr double tie         = 1e-9; // of a crest with the level, in cells

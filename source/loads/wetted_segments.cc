@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <waker/loads/wetted_surface.h>
+#include <waker/grid/box_face.h>
+#include <waker/loads/wetted_segments.h>
 
 #include <algorithm>
 
@@ -59,7 +60,7 @@ namespace Waker
              const double bottom_height,
              const double cell_size)
     {
-      constexpr int     bottom = 2;
+      constexpr int     bottom = static_cast<int>(BoxFace::bottom);
       const std::size_t n      = chain.size();
 
       // The bottom runs from left to right, the body above it.
@@ -170,8 +171,9 @@ namespace Waker
     const Chain  chain(section);
     const double tolerance = 1e-9 * cell_size;
     const Toe    toe       = find_toe(chain, water_left, bottom, cell_size);
-    const int    wall      = water_left ? 0 : 1;
-    const bool   is_round =
+    const int    wall =
+      static_cast<int>(water_left ? BoxFace::left : BoxFace::right);
+    const bool is_round =
       walk(chain, toe.vertex, water_left, wall, level, tolerance, wetted);
 
     // A body that floats is wet on the other side too.

@@ -49,7 +49,7 @@ namespace Waker
     ramp_work += step.ramp_work;
     mapping_loss += step.mapping_loss;
     gravity_work += step.gravity_work;
-    water_work += step.water_work;
+    load_work += step.load_work;
     support_work += step.support_work;
     return *this;
   }

@@ -194,9 +194,9 @@ namespace Waker
         {
           report.gravity_work -= nodes.mass[i] * in.gravity * u[dim * i + 1];
           for (unsigned int c = 0; c < dim; ++c)
-            report.water_work += external[dim * i + c] * u[dim * i + c];
+            report.load_work += external[dim * i + c] * u[dim * i + c];
         }
-      report.water_work -= report.gravity_work;
+      report.load_work -= report.gravity_work;
 
       nodes.internal_force = 0.;
       held.soil.add_force(stretched, nodes.internal_force);

@@ -28,13 +28,13 @@ namespace Waker
       resistance->begin(points, nodes, t, dt);
 
     in.fixities.removed_increments(t, dt, removed_increments);
-    nodes.increment       = 0.;
-    const Inertia inertia = begin(t, dt, nodes);
-    const auto   &removed = in.fixities.removed_list();
+    nodes.increment             = 0.;
+    const ResidualTerms terms   = begin(t, dt, nodes);
+    const auto         &removed = in.fixities.removed_list();
     for (std::size_t k = 0; k < removed.size(); ++k)
       nodes.increment.begin()[removed[k]] = removed_increments[k];
 
-    const NewtonReport solved = newton.solve(resistances, inertia, nodes);
+    const NewtonReport solved = newton.solve(resistances, terms, nodes);
     move_nodes(dt, nodes);
 
     StepReport<dim> report;

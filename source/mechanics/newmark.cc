@@ -17,12 +17,12 @@ namespace Waker
       {}
 
     protected:
-      using typename ImplicitScheme<dim>::Inertia;
+      using typename ImplicitScheme<dim>::ResidualTerms;
       using ImplicitScheme<dim>::in;
       using ImplicitScheme<dim>::reached;
       using ImplicitScheme<dim>::removed_increments;
 
-      Inertia
+      ResidualTerms
       begin(const double t, const double dt, NodalState &nodes) override;
 
       void
@@ -48,7 +48,7 @@ namespace Waker
 
 
     template <int dim>
-    typename Newmark<dim>::Inertia
+    typename Newmark<dim>::ResidualTerms
     Newmark<dim>::begin(const double t, const double dt, NodalState &nodes)
     {
       // A support moves at constant velocity through the step.
@@ -71,11 +71,11 @@ namespace Waker
             u[i] = share * (dt * v[i] + 0.5 * dt * dt * a[i]);
           }
 
-      Inertia inertia;
-      inertia.ramp    = residual_ramp(t + dt, in.time.ramp_duration);
-      inertia.factor  = 4. / (dt * dt);
-      inertia.history = &history;
-      return inertia;
+      ResidualTerms terms; // eqs. 2.22, 2.25
+      terms.ramp    = residual_ramp(t + dt, in.time.ramp_duration);
+      terms.factor  = 4. / (dt * dt);
+      terms.history = &history;
+      return terms;
     }
 
 
@@ -148,7 +148,7 @@ namespace Waker
                 kinetic_after += 0.5 * mass * new_v[dof] * new_v[dof];
               }
           }
-      report.water_work =
+      report.load_work =
         0.5 * (start_work + external_work) - report.gravity_work;
 
       const double r_start = residual_ramp(t, in.time.ramp_duration);

@@ -12,7 +12,7 @@ namespace Waker
     /// Linear residuals aim at this share of Newton's tolerance.
     constexpr double linear_margin = 0.3;
 
-    /// A residual below this share of the terms it is made of is round-off.
+    /// A residual below this share of the parts it is made of is round-off.
     constexpr double round_off = 1e-13;
 
     /// Added to a factorised stiffness, relative to its diagonal. Small next to
@@ -88,13 +88,14 @@ namespace Waker
 
   template <int dim>
   double
-  NewtonSolver<dim>::residual(const Inertia &inertia, const NodalState &nodes)
+  NewtonSolver<dim>::residual(const ResidualTerms &terms,
+                              const NodalState    &nodes)
   {
     const double *const external = nodes.external_force.begin();
     const double *const internal = nodes.internal_force.begin();
     const double *const u        = nodes.increment.begin();
     const double *const q =
-      inertia.history != nullptr ? inertia.history->begin() : nullptr;
+      terms.history != nullptr ? terms.history->begin() : nullptr;
     double *const r = R.begin();
 
     for (const auto &run : reached)
@@ -102,10 +103,9 @@ namespace Waker
         for (unsigned int c = 0; c < dim; ++c)
           {
             const std::size_t dof = dim * i + c;
-            r[dof] =
-              inertia.ramp * (inertia.load * external[dof] - internal[dof]);
+            r[dof] = terms.ramp * (terms.load * external[dof] - internal[dof]);
             if (q != nullptr)
-              r[dof] -= nodes.mass[i] * (inertia.factor * u[dof] - q[dof]);
+              r[dof] -= nodes.mass[i] * (terms.factor * u[dof] - q[dof]);
           }
     if (support_force.size() > 0)
       R -= support_force;
@@ -114,7 +114,7 @@ namespace Waker
 
     const double               inverse_full = 1. / full_node_mass;
     const unsigned char *const removed      = fixities->removed().data();
-    double                     sum = 0., terms = 0., loads = 0.;
+    double                     sum = 0., parts = 0., loads = 0.;
     reference = 0.;
     for (const auto &run : reached)
       for (std::size_t i = run.begin; i < run.end; ++i)
@@ -125,11 +125,11 @@ namespace Waker
           for (unsigned int c = 0; c < dim; ++c)
             {
               const std::size_t dof  = dim * i + c;
-              const double      load = inertia.load * external[dof];
+              const double      load = terms.load * external[dof];
               const double square = load * load + internal[dof] * internal[dof];
-              const double ku     = mass * inertia.factor * u[dof];
+              const double ku     = mass * terms.factor * u[dof];
               const double mq     = q != nullptr ? mass * q[dof] : 0.;
-              terms += share * (square + ku * ku + mq * mq);
+              parts += share * (square + ku * ku + mq * mq);
               if (!removed[dof])
                 {
                   const double inertial = q != nullptr ? ku - mq : 0.;
@@ -148,7 +148,7 @@ namespace Waker
               const double force = load_force.begin()[dim * i + c];
               const double square =
                 std::min(1., nodes.mass[i] * inverse_full) * force * force;
-              terms += square;
+              parts += square;
               if (!removed[dim * i + c])
                 {
                   loads += square;
@@ -157,12 +157,12 @@ namespace Waker
             }
     // A body that only its supports push has no other forces than theirs.
     if (q == nullptr && loads == 0.)
-      reference = terms;
+      reference = parts;
     // Not a number is not small: comparisons with it are false, and a residual
     // of 0 would pass for converged.
-    if (!std::isfinite(sum) || !std::isfinite(terms))
+    if (!std::isfinite(sum) || !std::isfinite(parts))
       return std::numeric_limits<double>::infinity();
-    return sum > round_off * round_off * terms ? std::sqrt(sum / reference)
+    return sum > round_off * round_off * parts ? std::sqrt(sum / reference)
                                                : 0.;
   }
 
@@ -185,14 +185,14 @@ namespace Waker
   template <int dim>
   LinearReport
   NewtonSolver<dim>::solve_linear(const Resistances<dim> &resistances,
-                                  const Inertia          &inertia,
+                                  const ResidualTerms    &terms,
                                   const NodalState       &nodes,
                                   const bool              first,
                                   const double            norm)
   {
     const SystemOperator<dim> system(resistances,
-                                     inertia.ramp,
-                                     inertia.factor,
+                                     terms.ramp,
+                                     terms.factor,
                                      nodes.mass,
                                      reached,
                                      fixities->removed_list());
@@ -229,7 +229,7 @@ namespace Waker
   template <int dim>
   NewtonReport
   NewtonSolver<dim>::solve(const Resistances<dim> &resistances,
-                           const Inertia          &inertia,
+                           const ResidualTerms    &terms,
                            NodalState             &nodes)
   {
     using Role        = typename Resistance<dim>::Role;
@@ -244,7 +244,7 @@ namespace Waker
     while (true)
       {
         set_forces(resistances, nodes);
-        const double norm = residual(inertia, nodes);
+        const double norm = residual(terms, nodes);
         report.residuals.push_back(norm);
         if (norm <= parameters.tolerance)
           {
@@ -260,7 +260,7 @@ namespace Waker
           for (Resistance<dim> *const resistance : resistances)
             resistance->linearise();
         const LinearReport linear =
-          solve_linear(resistances, inertia, nodes, first, norm);
+          solve_linear(resistances, terms, nodes, first, norm);
         report.linear_iterations += linear.iterations;
         ++report.iterations;
         if (direct_solver && norm < unsolvable_limit &&

@@ -27,11 +27,11 @@ namespace Waker
       }
 
     protected:
-      using typename ImplicitScheme<dim>::Inertia;
+      using typename ImplicitScheme<dim>::ResidualTerms;
       using ImplicitScheme<dim>::in;
       using ImplicitScheme<dim>::reached;
 
-      Inertia
+      ResidualTerms
       begin(const double t, const double dt, NodalState &nodes) override;
 
       void
@@ -64,15 +64,15 @@ namespace Waker
 
 
     template <int dim>
-    typename QuasiStatic<dim>::Inertia
+    typename QuasiStatic<dim>::ResidualTerms
     QuasiStatic<dim>::begin(const double t, const double dt, NodalState &)
     {
       start_force = 0.;
       for (Resistance<dim> *const resistance : this->resistances)
         resistance->add_start_force(start_force);
-      Inertia inertia;
-      inertia.load = load_factor(t + dt);
-      return inertia;
+      ResidualTerms terms;
+      terms.load = load_factor(t + dt);
+      return terms;
     }
 
 
@@ -144,7 +144,7 @@ namespace Waker
               const double start_load = s_start * (before[dof] - weight);
 
               report.gravity_work += 0.5 * (s_start + s_end) * weight * u[dof];
-              report.water_work += 0.5 * (start_load + s_end * load) * u[dof];
+              report.load_work += 0.5 * (start_load + s_end * load) * u[dof];
               const double start_gap = start_load - balance;
               if (removed[dof])
                 {

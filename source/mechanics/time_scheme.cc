@@ -43,8 +43,9 @@ namespace Waker
           traits.is_implicit = true;
           break;
         case Scheme::explicit_steps:
-          traits.has_inertia = true;
-          traits.is_implicit = false;
+          traits.has_inertia      = true;
+          traits.is_implicit      = false;
+          traits.start_of_impulse = 0.;
           break;
         case Scheme::quasi_static:
           traits.has_inertia = false;
@@ -118,7 +119,7 @@ namespace Waker
       {"elastic energy", elastic_energy},
       {"dissipation", dissipation},
       {"work of the weight", gravity_work},
-      {"work of the loads", water_work},
+      {"work of the loads", load_work},
       {"work of the supports", support_work},
       {"work of the ramp", ramp_work},
       {"mapping loss", mapping_loss}};

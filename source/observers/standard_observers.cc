@@ -66,7 +66,7 @@ namespace Waker
         row.add("Elastic energy (kJ)", e.elastic);
         row.add("Plastic dissipation (kJ)", e.dissipation);
         row.add("Potential energy released (kJ)", e.gravity_work);
-        row.add("Work of the water (kJ)", e.water_work);
+        row.add("Work of the water (kJ)", e.load_work);
         row.add("Work of the supports (kJ)", e.support_work);
         row.add("Work withheld by the ramp (kJ)", e.ramp_work);
         row.add("Mapping loss (kJ)", e.mapping_loss);

@@ -86,7 +86,7 @@ namespace Waker
                       warnings);
         }
       const WaterParameters dry;
-      if (p.water.side == WaterSide::none)
+      if (!p.water.stands())
         warn_unused(p.water.unit_weight != dry.unit_weight,
                     "Water/Unit weight",
                     "Side = none",

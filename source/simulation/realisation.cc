@@ -40,12 +40,13 @@ namespace Waker
   StopReason
   Realisation<dim>::look()
   {
-    scene.map(state->points);    // to the nodes: 2.31, 2.32
-    scene.find_surfaces(*state); // where water and tractions act
-    scene.set_loads(*state);     // weight, water, tractions: 2.27, 3.4
-    scene.meet_walls(*state);
-    measure();                          // H, W, bodies that have moved
-    the_case->programmes.watch(*state); // which loads wait, or stop
+    scene.map(state->points);      // to the nodes: 2.31, 2.32
+    scene.find_surfaces(*state);   // 3.8-3.14, as far as they are asked for
+    scene.set_loads(*state);       // weight, water, tractions: 2.27, 3.4
+    scene.meet_walls(*state);      // what touches them
+    scene.set_first_force(*state); // of the stress in situ: 2.28
+    measure();                     // H, W, bodies that have moved: 5.2, 6.2
+    the_case->programmes.watch(*state); // which loads wait, or stop: 6.2.1
     return decide(the_case->parameters.stop,
                   state->failure,
                   state->time,
@@ -69,16 +70,18 @@ namespace Waker
     const double dt =
       control.solve(scheme->time_step(state->points), [&](const double tried) {
         scene.set_end_loads(*state, t + tried); // weight, water, loads
-        return report = scheme->solve(state->points, t, tried, nodes); // 2.23
+        // 2.23 with 2.28, or 2.34
+        return report = scheme->solve(state->points, t, tried, nodes);
       });
-    scheme->to_points(t, dt, nodes, state->points, report); // stress, motion
-    report.held_domains    = carried.move(nodes, *state);   // domains, surfaces
+    // Stress and motion: 2.33, 2.38-2.40, or 2.35-2.37
+    scheme->to_points(t, dt, nodes, state->points, report);
+    report.held_domains    = carried.move(nodes, *state); // domains, surfaces
     state->settlement_rate = settlements.largest(state->points) / dt;
     report.check_finite(t + dt);
     state->energy += report;
     control.accept(dt, report);                         // time goes on
     the_case->flow.exchange(nodes, report, dt, *state); // inflow, outflow
-    the_case->programmes.proceed(*state);               // loads go on
+    the_case->programmes.proceed(*state);               // loads go on: 6.2.1
   }
 
 

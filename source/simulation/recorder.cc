@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/base/host.h>
 #include <waker/output/files.h>
 #include <waker/output/output_files.h>
 #include <waker/simulation/recorder.h>
@@ -203,13 +204,18 @@ namespace Waker
       next_checkpoint =
         next_multiple(state.time, parameters->output.checkpoint_interval);
     statistics->flush();
-    const Progress progress{state.write(), parameters->stop, fields.entries()};
-    std::ostringstream bytes;
     {
-      boost::archive::binary_oarchive archive(bytes);
-      archive                        &progress;
+      const Progress     progress{state.write(),
+                              parameters->stop,
+                              fields.entries()};
+      std::ostringstream bytes;
+      {
+        boost::archive::binary_oarchive archive(bytes);
+        archive                        &progress;
+      }
+      slots.write(state.step, bytes.str());
     }
-    slots.write(state.step, bytes.str());
+    give_back_memory();
   }
 
 

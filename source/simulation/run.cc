@@ -48,7 +48,7 @@ namespace Waker
     energy_from_the_mapping(const State<dim> &state, const Outcome outcome)
     {
       const EnergyAccount &e    = state.energy;
-      const double         work = std::abs(e.gravity_work + e.water_work);
+      const double         work = std::abs(e.gravity_work + e.load_work);
       if (outcome != Outcome::still_moving ||
           !(std::abs(e.mapping_loss) > 0.5 * work))
         return "";

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <waker/base/errors.h>
 #include <waker/surface/boxes/box_union_contour.h>
 #include <waker/surface/boxes/box_union_faces.h>
 #include <waker/surface/domain_contour.h>
 
 #include <algorithm>
 #include <limits>
-#include <string>
 
 namespace Waker
 {
@@ -36,17 +34,6 @@ namespace Waker
             smallest[d]         = std::min(smallest[d], upper - lower);
           }
       return smallest;
-    }
-
-
-    void
-    check_gap(const double share, const std::string &name)
-    {
-      if (!(share >= 0. && share < 1.))
-        throw UserError("Surface/Minimum gap " + name,
-                        std::to_string(share) +
-                          ": gaps as large as a support domain would be filled",
-                        "0 (none) to below 1, in domains");
     }
   } // namespace
 
@@ -92,8 +79,7 @@ namespace Waker
                                     const unsigned int         closed_faces)
     : work(std::make_unique<WorkSpace>())
   {
-    check_gap(parameters.minimum_gap_width, "width");
-    check_gap(parameters.minimum_gap_height, "height");
+    parameters.check();
     work->parameters         = parameters;
     work->rules.symmetric    = parameters.symmetric_filling;
     work->rules.tolerance    = 1e-9 * grid.cell_size();

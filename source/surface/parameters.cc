@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/parameter_handler.h>
 
+#include <waker/base/checks.h>
 #include <waker/base/choice_parameter.h>
+#include <waker/base/errors.h>
+#include <waker/base/numbers.h>
 #include <waker/surface/parameters.h>
+
+#include <string>
+#include <utility>
 
 namespace Waker
 {
@@ -57,5 +63,24 @@ namespace Waker
                       "Contour: fill gaps alike from both sides. Off: from the "
                       "left, as in the thesis.",
                       Patterns::Bool());
+  }
+
+
+  void
+  SurfaceParameters::check() const
+  {
+    require_positive("Surface/Kernel radius", kernel_radius);
+    if (!(threshold > 0. && threshold < 1.))
+      throw UserError("Surface/Threshold",
+                      "is " + in_digits(threshold),
+                      "above 0 and below 1");
+    for (const auto &[name, share] :
+         {std::make_pair("width", minimum_gap_width),
+          std::make_pair("height", minimum_gap_height)})
+      if (!(share >= 0. && share < 1.))
+        throw UserError(std::string("Surface/Minimum gap ") + name,
+                        "is " + in_digits(share) +
+                          ": gaps as large as a support domain would be filled",
+                        "0 (none) to below 1, in domains");
   }
 } // namespace Waker

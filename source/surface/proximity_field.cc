@@ -56,7 +56,7 @@ namespace Waker
     contour = MarchingSquares(window, closed_faces);
 
     if constexpr (dim == 3)
-      if (!parameters.prismatic)
+      if (!parameters.is_of_section(dim))
         spatial.emplace(grid, parameters, closed_faces);
   }
 

@@ -76,10 +76,24 @@ namespace Waker
   SurfaceFinder<dim>::facets(const FoundSurface which,
                              const std::string &path) const
   {
+    Found<dim> &surface = find(which, path);
+    if (!surface.has_holes_marked)
+      holes.mark(1e-9 * grid->cell_size(), surface.facets);
+    surface.has_holes_marked = true;
+    return surface.facets;
+  }
+
+
+  template <int dim>
+  typename SurfaceFinder<dim>::template Found<dim> &
+  SurfaceFinder<dim>::find(const FoundSurface which,
+                           const std::string &path) const
+  {
     Assert(points != nullptr, ExcInternalError());
     Found<dim> &surface = surfaces[which];
     if (surface.is_valid)
-      return surface.facets;
+      return surface;
+    surface.has_holes_marked = true; // where they are known, or nobody asks
     switch (which)
       {
         case FoundSurface::surface_nodes:
@@ -102,11 +116,11 @@ namespace Waker
               proximity.detect(*points, surface.facets);
               has_field = true;
             }
-          holes.mark(1e-9 * grid->cell_size(), surface.facets);
+          surface.has_holes_marked = false;
           break;
       }
     surface.is_valid = true;
-    return surface.facets;
+    return surface;
   }
 
 

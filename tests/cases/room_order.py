@@ -15,8 +15,7 @@ import re
 import sys
 import tempfile
 
-# From the ground up, a subroom for itself. This is the only place where the
-# order stands.
+# From the ground up, a subroom for itself; CONTRIBUTING.md says what each holds.
 ROOMS = [
     "base", "grid", "particles", "materials", "nodes", "mapping",
     "surface/shape", "surface/boxes", "surface", "loads", "mechanics",

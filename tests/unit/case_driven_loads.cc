@@ -115,8 +115,8 @@ namespace case_driven_loads
         EXPECT_GT(largest_displacement(driven), 2e-4);
         EXPECT_LT(largest_difference(expression, driven), 1e-14);
         EXPECT_NEAR(driven.loads[0].factor, 0.6, 1e-14);
-        EXPECT_NEAR(driven.energy.water_work,
-                    expression.energy.water_work,
+        EXPECT_NEAR(driven.energy.load_work,
+                    expression.energy.load_work,
                     1e-13);
       }
   }
@@ -180,7 +180,7 @@ namespace case_driven_loads
     const State<2> driven = run(p);
     EXPECT_GT(largest_displacement(driven), 1e-4);
     EXPECT_EQ(largest_difference(rise, driven), 0.);
-    EXPECT_EQ(rise.energy.water_work, driven.energy.water_work);
+    EXPECT_EQ(rise.energy.load_work, driven.energy.load_work);
     EXPECT_EQ(driven.loads[0].factor, 0.5);
 
     // Both together.

@@ -202,12 +202,12 @@ namespace loads_contour_load
     parameters.minimum_gap_width = 1.;
     EXPECT_USER_ERROR(DomainContour<2>(grid, parameters, 0),
                       "Surface/Minimum gap width",
-                      "1.000000: gaps as large");
+                      "is 1: gaps as large");
     parameters.minimum_gap_width  = 0.99;
     parameters.minimum_gap_height = 1.5;
     EXPECT_USER_ERROR(DomainContour<2>(grid, parameters, 0),
                       "Surface/Minimum gap height",
-                      "1.500000: gaps as large");
+                      "is 1.5: gaps as large");
     parameters.minimum_gap_height = 0.;
     EXPECT_NO_THROW(DomainContour<2>(grid, parameters, 0));
   }

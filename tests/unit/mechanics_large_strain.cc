@@ -71,7 +71,7 @@ namespace mechanics_large_strain
         account.kinetic = report.kinetic_energy;
         account.elastic = report.elastic_energy;
         account.gravity_work += report.gravity_work;
-        account.water_work += report.water_work;
+        account.load_work += report.load_work;
         account.support_work += report.support_work;
         account.mapping_loss += report.mapping_loss;
         return report;

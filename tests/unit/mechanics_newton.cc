@@ -103,19 +103,19 @@ namespace mechanics_newton
       parameters.maximum_linear_iterations = 3000;
       parameters.maximum_iterations =
         tangent == name_of(Tangent::consistent) ? 20 : 400;
-      NewtonSolver<dim>                   newton(grid,
+      NewtonSolver<dim>                         newton(grid,
                                fixities,
                                parameters,
                                density * std::pow(h, dim));
-      typename NewtonSolver<dim>::Inertia inertia;
-      inertia.factor  = 4. / (problem.dt * problem.dt);
-      inertia.history = &history;
+      typename NewtonSolver<dim>::ResidualTerms terms;
+      terms.factor  = 4. / (problem.dt * problem.dt);
+      terms.history = &history;
       Soil<dim> soil(weights,
                      StressUpdate<dim>(materials,
                                        std::make_unique<StepMotion<dim>>(true)),
                      parameters.tangent);
       soil.begin(points, nodes, 0., problem.dt);
-      const NewtonReport report = newton.solve({&soil}, inertia, nodes);
+      const NewtonReport report = newton.solve({&soil}, terms, nodes);
       soil.accept(nodes.increment, points);
 
       Outcome outcome;
@@ -303,20 +303,20 @@ namespace mechanics_newton
   TEST(Mechanics,
        newton_counts_nodes_by_their_mass_and_the_difference_of_inertia)
   {
-    const auto                        grid      = Lattice::grid<2>(2., h);
-    const double                      full_mass = density * h * h;
-    const Fixities<2>                 fixities(grid, {});
-    NodalState                        nodes(grid);
-    NodalVector                       history(grid.n_dofs());
-    typename NewtonSolver<2>::Inertia inertia;
-    inertia.factor  = 100.;
-    inertia.history = &history;
+    const auto                              grid      = Lattice::grid<2>(2., h);
+    const double                            full_mass = density * h * h;
+    const Fixities<2>                       fixities(grid, {});
+    NodalState                              nodes(grid);
+    NodalVector                             history(grid.n_dofs());
+    typename NewtonSolver<2>::ResidualTerms terms;
+    terms.factor  = 100.;
+    terms.history = &history;
     // In balance: 3 kN on what 5 kN of inertia less 2 kN of history need. More
     // than the mass of a full node counts as that.
     const unsigned int a = grid.node({{3, 3}}), b = grid.node({{5, 5}});
     nodes.mass[a]                       = 2. * full_mass;
     nodes.external_force.begin()[2 * a] = 3.;
-    nodes.increment.begin()[2 * a]      = 5. / (nodes.mass[a] * inertia.factor);
+    nodes.increment.begin()[2 * a]      = 5. / (nodes.mass[a] * terms.factor);
     history.begin()[2 * a]              = 2. / nodes.mass[a];
     // Out of balance by 4 kN.
     nodes.mass[b]                           = 0.01 * full_mass;
@@ -325,7 +325,7 @@ namespace mechanics_newton
     NewtonParameters parameters;
     parameters.maximum_iterations = 0;
     NewtonSolver<2>    newton(grid, fixities, parameters, full_mass);
-    const NewtonReport report = newton.solve({}, inertia, nodes);
+    const NewtonReport report = newton.solve({}, terms, nodes);
     EXPECT_FALSE(report.converged);
     ASSERT_EQ(report.residuals.size(), 1u);
     EXPECT_NEAR(report.residuals[0],
@@ -352,10 +352,10 @@ namespace mechanics_newton
       {
         NodalState nodes(grid);
         to_nodes(points, weights, nodes);
-        NodalVector                       history = nodes.velocity;
-        typename NewtonSolver<2>::Inertia inertia;
-        inertia.factor  = 1e4;
-        inertia.history = &history;
+        NodalVector                             history = nodes.velocity;
+        typename NewtonSolver<2>::ResidualTerms terms;
+        terms.factor  = 1e4;
+        terms.history = &history;
         for (unsigned int i = 0; i < nodes.mass.size(); ++i)
           if (nodes.mass[i] > 0.1 * density * h * h)
             {
@@ -367,7 +367,7 @@ namespace mechanics_newton
                                      std::make_unique<StepMotion<2>>(false)),
                      parameters.tangent);
         soil.begin(points, nodes, 0., 1.);
-        const NewtonReport report = newton.solve({&soil}, inertia, nodes);
+        const NewtonReport report = newton.solve({&soil}, terms, nodes);
         EXPECT_EQ(report.converged, bad == 0.) << bad;
         EXPECT_EQ(report.residuals.back(), bad == 0. ? 0. : HUGE_VAL) << bad;
       }

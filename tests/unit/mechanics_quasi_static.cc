@@ -62,7 +62,7 @@ namespace mechanics_quasi_static
         scheme->to_points(t, dt, nodes, points, report);
         account.elastic = report.elastic_energy;
         account.gravity_work += report.gravity_work;
-        account.water_work += report.water_work;
+        account.load_work += report.load_work;
         account.support_work += report.support_work;
         account.mapping_loss += report.mapping_loss;
         return report;
@@ -181,7 +181,7 @@ namespace mechanics_quasi_static
       EXPECT_LT(settled, -0.0050);
       EXPECT_GT(settled, -0.0080);
       const EnergyAccount &account = block.account;
-      EXPECT_NEAR(account.water_work, 0., 1e-12 * account.gravity_work);
+      EXPECT_NEAR(account.load_work, 0., 1e-12 * account.gravity_work);
       EXPECT_GT(account.gravity_work, 0.9 * account.elastic);
       EXPECT_NEAR(account.remainder(), 0., 1e-8 * account.gravity_work);
       EXPECT_LT(std::abs(account.mapping_loss), 0.02 * account.gravity_work);

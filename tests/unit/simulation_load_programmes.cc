@@ -129,7 +129,7 @@ namespace simulation_load_programmes
           SCOPED_TRACE(std::string(name_of(mass)) + ", " + name_of(which));
           const LoadedColumn   column = loaded_fast(which, mass, 2e4, 0.01);
           const EnergyAccount &e      = column.state.energy;
-          const double         work   = e.water_work + e.gravity_work;
+          const double         work   = e.load_work + e.gravity_work;
           EXPECT_GT(work, 0.4);
           EXPECT_GT(e.kinetic, 0.);
           // Met: 1.0e-5 to 1.5e-5.
@@ -141,12 +141,12 @@ namespace simulation_load_programmes
                           1e-11);
               EXPECT_GT(e.inflow, 0.);
               // Whatever has come weighs: little is the load's own work.
-              EXPECT_LT(std::abs(e.water_work), 0.01 * work);
+              EXPECT_LT(std::abs(e.load_work), 0.01 * work);
             }
           else
             {
               EXPECT_EQ(e.inflow, 0.);
-              EXPECT_GT(e.water_work, 0.15 * work);
+              EXPECT_GT(e.load_work, 0.15 * work);
             }
 
           // Soft, with larger strains and momentum that counts.

@@ -35,8 +35,9 @@ namespace Waker
     void
     map(const MaterialPoints<dim> &points);
 
-    /// Where water and tractions act: the surfaces of the points, and those
-    /// that the material carries.
+    /// From now on the surfaces are those of these points; each is found when
+    /// it is asked for (SurfaceFinder), by the tractions now, by the water when
+    /// its level is known. And those that the material carries.
     /// @throws NumericalFailure if what the input allowed at the start is lost
     void
     find_surfaces(const State<dim> &state);
@@ -47,10 +48,14 @@ namespace Waker
     void
     set_loads(State<dim> &state);
 
-    /// What touches the walls; at the start also the internal force, which
-    /// later is that of the step that has ended.
+    /// What touches the walls.
     void
     meet_walls(State<dim> &state);
+
+    /// At the start the internal force of the stress that is there; later it is
+    /// that of the step that has ended.
+    void
+    set_first_force(const State<dim> &state);
 
     /**
      * Map the points, find the surfaces, load them.
@@ -96,18 +101,6 @@ namespace Waker
     std::string
     varying_load(const double from, const double to) const;
 
-    /// Weight, water, tractions and point loads at a time (s), on the surfaces
-    /// found last: the nodes' external force.
-    /// @param records of the load programmes, at the start of the step
-    void
-    set_loads(const MaterialPoints<dim>     &points,
-              const double                   time,
-              const std::vector<LoadRecord> &records);
-
-    /// The same in the first step, as nothing has been observed.
-    void
-    set_loads(const MaterialPoints<dim> &points, const double time);
-
     /// The nodes' internal force, from the stress of the points and the walls
     /// (kN).
     void
@@ -130,6 +123,14 @@ namespace Waker
     Walls<dim>         walls;
 
   private:
+    /// Weight, water, tractions and point loads at a time (s), on the surfaces
+    /// found last: the nodes' external force.
+    /// @param records of the load programmes, at the start of the step
+    void
+    add_up_loads(const MaterialPoints<dim>     &points,
+                 const double                   time,
+                 const std::vector<LoadRecord> &records);
+
     const Case<dim> *the_case;
     FacetLoad<dim>   point_loads;
     DrivenLoads<dim> driven;

@@ -70,6 +70,10 @@ namespace Waker
     double
     last_change(const LoadRecord &record) const;
 
+    /// Does it change after a time (s) whatever happens until then?
+    bool
+    changes_after(const double time) const;
+
   private:
     LoadProgrammeParameters given;
     TimeFunction            table; // of t (s), or of what is watched

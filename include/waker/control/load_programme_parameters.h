@@ -33,6 +33,21 @@ namespace Waker
     return nullptr;
   }
 
+  /// Is the factor read from a table?
+  constexpr bool
+  has_table(const LoadProgrammeKind kind)
+  {
+    switch (kind)
+      {
+        case LoadProgrammeKind::growth:
+          return false;
+        case LoadProgrammeKind::table_of_time:
+        case LoadProgrammeKind::table_of_quantity:
+          return true;
+      }
+    return false;
+  }
+
 
   /// What the factor of a load programme drives.
   enum class LoadTarget

@@ -4,7 +4,7 @@
 
 #include <waker/loads/facet_load.h>
 #include <waker/loads/wet_surface.h>
-#include <waker/loads/wetted_surface.h>
+#include <waker/loads/wetted_segments.h>
 
 namespace Waker
 {

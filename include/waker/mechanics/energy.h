@@ -30,7 +30,7 @@ namespace Waker
    * The energy of a run, in kJ (per m in 2D), summed over its steps. Every
    * term is computed on its own, none as the rest of the others, so that
    *   kinetic + (elastic - elastic_start) + dissipation + ramp_work
-   *     + mapping_loss = gravity_work + water_work + support_work
+   *     + mapping_loss = gravity_work + load_work + support_work
    *     + inflow - outflow + remainder
    * leaves a remainder that measures the method: the accuracy of Newton, the
    * trapezoidal rule in yielding points, the strain of mid-step.
@@ -45,7 +45,7 @@ namespace Waker
     double ramp_work     = 0.;
     double mapping_loss  = 0.;
     double gravity_work  = 0.; // potential energy released
-    double water_work    = 0.;
+    double load_work     = 0.;
     double support_work  = 0.;
     double inflow        = 0.; // kinetic, of material that has entered
     double outflow       = 0.; // kinetic and elastic, of what has left
@@ -54,8 +54,8 @@ namespace Waker
     remainder() const
     {
       return (kinetic - kinetic_start) + (elastic - elastic_start) +
-             dissipation + ramp_work + mapping_loss - gravity_work -
-             water_work - support_work - inflow + outflow;
+             dissipation + ramp_work + mapping_loss - gravity_work - load_work -
+             support_work - inflow + outflow;
     }
 
     /// Take in a step.
@@ -68,7 +68,7 @@ namespace Waker
     serialize(Archive &archive, const unsigned int)
     {
       archive &kinetic_start &elastic_start &kinetic &elastic &dissipation
-        &ramp_work &mapping_loss &gravity_work &water_work &support_work &inflow
+        &ramp_work &mapping_loss &gravity_work &load_work &support_work &inflow
           &outflow;
     }
   };

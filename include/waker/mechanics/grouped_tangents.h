@@ -40,6 +40,13 @@ namespace Waker
     {
       constexpr unsigned int N = Material::block_size;
       groups.reinit(weights);
+      // Twice the room, as a vector takes, would be a third of all memory.
+      if (groups.size() > tangents.capacity())
+        {
+          tangents.clear();
+          tangents.shrink_to_fit();
+          tangents.reserve(groups.size() + groups.size() / 20);
+        }
       tangents.resize(groups.size());
       for (std::size_t g = 0; g < groups.size(); ++g)
         if (groups[g].n_points < n_lanes)

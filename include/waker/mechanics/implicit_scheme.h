@@ -43,12 +43,12 @@ namespace Waker
               StepReport<dim>     &report) final;
 
   protected:
-    using Inertia = typename NewtonSolver<dim>::Inertia;
+    using ResidualTerms = typename NewtonSolver<dim>::ResidualTerms;
 
-    /// Inertia and load of the residual, after the resistances have begun the
-    /// step. May guess the increment, which is 0; the removed dofs are set
-    /// later.
-    virtual Inertia
+    /// What beside the resistances is in the residual, after the resistances
+    /// have begun the step. May guess the increment, which is 0; the removed
+    /// dofs are set later.
+    virtual ResidualTerms
     begin(const double t, const double dt, NodalState &nodes) = 0;
 
     /// Velocity and acceleration of the nodes at the end, by the increment.

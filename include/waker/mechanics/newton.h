@@ -63,8 +63,9 @@ namespace Waker
                  const double               full_node_mass,
                  const LinearMethod         method = LinearMethod::krylov);
 
-    /// The inertia term M (k u - q), the ramp r and the load factor s.
-    struct Inertia
+    /// What the residual has beside the resistances: the inertia M (k u - q),
+    /// the ramp r and the load factor s (eqs. 2.22-2.25).
+    struct ResidualTerms
     {
       double             ramp    = 1.;
       double             factor  = 0.;      // k, 1/s^2
@@ -80,7 +81,7 @@ namespace Waker
      */
     NewtonReport
     solve(const Resistances<dim> &resistances,
-          const Inertia          &inertia,
+          const ResidualTerms    &terms,
           NodalState             &nodes);
 
   private:
@@ -90,7 +91,7 @@ namespace Waker
 
     /// R and its relative norm.
     double
-    residual(const Inertia &inertia, const NodalState &nodes);
+    residual(const ResidualTerms &terms, const NodalState &nodes);
 
     /// Norm of the residual, by its last reference.
     double
@@ -100,7 +101,7 @@ namespace Waker
     /// solver leaves in R what it could solve for.
     LinearReport
     solve_linear(const Resistances<dim> &resistances,
-                 const Inertia          &inertia,
+                 const ResidualTerms    &terms,
                  const NodalState       &nodes,
                  const bool              first,
                  const double            norm);

@@ -29,7 +29,7 @@ namespace Waker
 
     // Work and energy of the step, kJ (per m in 2D). See mechanics/energy.h.
     double gravity_work   = 0.;
-    double water_work     = 0.; // of the external force other than weight
+    double load_work      = 0.; // of the external force other than weight
     double support_work   = 0.; // of moving supports
     double ramp_work      = 0.; // withheld by the residual ramp
     double mapping_loss   = 0.; // of kinetic energy, points <-> nodes
@@ -61,6 +61,9 @@ namespace Waker
     bool is_implicit = true;
     /// Does the material move, or do only its stresses change?
     bool moves_points = true;
+    /// Share of the force at the start of a step in its impulse; the rest is
+    /// that of the force which the step ends with.
+    double start_of_impulse = 0.5;
   };
 
   /// Of the scheme that the parameters choose.

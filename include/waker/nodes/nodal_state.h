@@ -30,8 +30,10 @@ namespace Waker
     std::vector<double> mass;           // lumped, Mg; one per node
     NodalVector         velocity;       // at the start of the step, m/s
     NodalVector         acceleration;   // at the start of the step, m/s^2
-    NodalVector         external_force; // weight and loads at its end, kN
-    NodalVector         start_force;    // the same at its start, kN; empty if
+    NodalVector         external_force; // weight and loads, kN: at the start
+                                        // after look(), at the end while the
+                                        // step is solved
+    NodalVector start_force;            // the same at its start, kN; empty if
                                         // loads do not change in time
     NodalVector internal_force;         // at the end of the step, kN
     NodalVector increment;              // displacement of the step, m

@@ -50,7 +50,9 @@ namespace Waker
     observe(const StepView<dim> &view, Row &row) = 0;
   };
 
-  /// Those that every run has: Newton, dyke, water, energy, momentum.
+  /// Those that every run has: Newton, dyke, energy, forces; then those whose
+  /// columns come and go: sliding masses, walls, tractions, load programmes,
+  /// flow.
   template <int dim>
   std::vector<std::unique_ptr<Observer<dim>>>
   standard_observers();

@@ -61,6 +61,10 @@ namespace Waker
 
     void
     add_parameters(ParameterHandler &prm);
+
+    /// @throws UserError
+    void
+    check() const;
   };
 } // namespace Waker
 

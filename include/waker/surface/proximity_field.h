@@ -33,7 +33,7 @@ namespace Waker
    * body as if it were prismatic: its points are projected on the plane with
    * V_p / L_z, L_z the extent of the grid's box in z. A plane-strain slice so
    * has the contour of the two-dimensional body; of any other body it is a mean
-   * over its length, on which a dyke is measured.
+   * over its length (no dyke is measured on it).
    *
    * Keeps its work arrays from call to call.
    */

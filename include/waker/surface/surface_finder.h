@@ -59,7 +59,8 @@ namespace Waker
     /// The section of the surface that Surface/Method asks for, on which a dyke
     /// is measured: the chains' segments, outer chains in the order of
     /// decreasing area, then holes. In 3D that of the body's projection on the
-    /// x-y plane.
+    /// x-y plane, which is a dyke's only if it is prismatic: else it is
+    /// measured in sections of facets().
     const Facets<2> &
     section() const
     {
@@ -67,15 +68,17 @@ namespace Waker
     }
 
     /// The surface itself. In 2D it is the section; that of a prismatic body is
-    /// its section, extruded over the grid's box.
+    /// its section, extruded over the grid's box. What is a hole of a body in
+    /// space is not marked: who asks does not need it, and it takes as long as
+    /// the surface.
     const Facets<dim> &
     facets() const
     {
-      return facets(found_by(parameters.method), "Surface/Method");
+      return find(found_by(parameters.method), "Surface/Method").facets;
     }
 
     /**
-     * The facets of a surface.
+     * The facets of a surface, holes marked.
      * @param path of the parameter that asks for it, for errors
      * @throws UserError if the body has no such surface
      */
@@ -90,12 +93,15 @@ namespace Waker
     template <int facet_dim>
     struct Found
     {
-      bool              is_valid = false;
+      bool              is_valid = false, has_holes_marked = false;
       Facets<facet_dim> facets;
     };
 
     const Facets<2> &
     section(const FoundSurface which) const;
+
+    Found<dim> &
+    find(const FoundSurface which, const std::string &path) const;
 
     BackgroundGrid<dim> const *grid;
     SurfaceParameters          parameters;
