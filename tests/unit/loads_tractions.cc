@@ -193,7 +193,7 @@ namespace loads_tractions
     EXPECT_NEAR(total(0), 2., 1e-13);
     EXPECT_NEAR(total(1), 2., 1e-13);
     EXPECT_TRUE(scene.loads_move());
-    scene.set_loads(points, 2.);
+    scene.set(points, 2., initial_vertices(the_case));
     EXPECT_NEAR(total(0), 2., 1e-13);
     EXPECT_NEAR(total(1), 6., 1e-13);
 

@@ -174,7 +174,7 @@ namespace simulation_loads
     EXPECT_TRUE(scene.loads_move());
     scene.set(the_case.initial_points);
     EXPECT_NEAR(scene.water_resultant.force[0], 5. * 0.25 * 0.25, 1e-12);
-    scene.set_loads(the_case.initial_points, 10.);
+    scene.set(the_case.initial_points, 10., initial_vertices(the_case));
     EXPECT_EQ(scene.water_level(10.), 0.75);
     EXPECT_NEAR(scene.water_resultant.force[0], 5. * 0.75 * 0.75, 1e-12);
   }

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace loads_wetted_surface
+namespace loads_wetted_segments
 {
   using namespace Waker;
 
@@ -190,4 +190,4 @@ namespace loads_wetted_surface
     EXPECT_EQ(parameters.side, WaterSide::right);
     EXPECT_EQ(parameters.unit_weight, 9.81);
   }
-} // namespace loads_wetted_surface
+} // namespace loads_wetted_segments
