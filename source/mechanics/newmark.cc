@@ -171,6 +171,9 @@ namespace Waker
                                nodes.mass[dof / dim] * new_a[dof];
           report.reaction[dof % dim] += internal[dof] - external[dof];
           report.support_work += force * u[dof];
+          // Half of it is in the kinetic energy of the nodes; at the start they
+          // were given no acceleration.
+          report.mapping_loss += 0.5 * force * u[dof];
         }
     }
   } // namespace

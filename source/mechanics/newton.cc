@@ -158,6 +158,18 @@ namespace Waker
     // A body that only its supports push has no other forces than theirs.
     if (q == nullptr && loads == 0.)
       reference = parts;
+    if (support_force.size() > 0)
+      {
+        double supports = 0.;
+        for (const auto &run : reached)
+          for (std::size_t i = run.begin; i < run.end; ++i)
+            for (unsigned int c = 0; c < dim; ++c)
+              if (const double force = support_force.begin()[dim * i + c];
+                  !removed[dim * i + c])
+                supports +=
+                  std::min(1., nodes.mass[i] * inverse_full) * force * force;
+        reference = std::max(reference, supports);
+      }
     // Not a number is not small: comparisons with it are false, and a residual
     // of 0 would pass for converged.
     if (!std::isfinite(sum) || !std::isfinite(parts))

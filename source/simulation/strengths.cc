@@ -55,7 +55,7 @@ namespace Waker
     if (!any)
       throw UserError("Materials/Names",
                       "no material has a strength to reduce",
-                      "a \"von Mises softening\" material");
+                      "a material with one, such as \"von Mises softening\"");
     return lines;
   }
 
