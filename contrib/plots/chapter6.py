@@ -56,10 +56,9 @@ def main():
     for folder in (arguments.data, arguments.figures):
         os.makedirs(folder, exist_ok=True)
     for folder in arguments.campaigns:
-        if os.path.exists(os.path.join(folder, "summary.json")):
-            print(take_run(folder, arguments.data))
-        else:
-            print(take(folder, arguments.data, arguments.waker))
+        is_run = os.path.exists(os.path.join(folder, "summary.json"))
+        print(take_run(folder, arguments.data) if is_run else
+              take(folder, arguments.data, arguments.waker))
     if arguments.waker and not os.path.exists(os.path.join(
             arguments.data, chapter6_programmes.EXAMPLES)):
         print(chapter6_programmes.find_examples(arguments.waker,

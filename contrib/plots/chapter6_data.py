@@ -30,6 +30,7 @@ DETERMINISTIC_COLUMNS = ("name", "end_time", "load", "load_stop_time",
 FIRST_CLASS = 0.1
 # A crest that has sunk by more (m) is lost: Initial failure/Height loss.
 HEIGHT_LOSS = 0.1
+NAME = re.compile(r"(analysis|weight|length)\w+(-2d(-15s)?)?$")
 # Fewer realisations than this show directions, not shares.
 ENOUGH = 30
 
@@ -69,6 +70,8 @@ def take(folder, data, waker=None):
     name = os.path.basename(os.path.normpath(folder))
     name = name.replace("output-chapter6-", "")
     path = os.path.join(data, name + ".csv")
+    if not NAME.match(name):
+        return f"{folder}: no analysis of chapter 6 by its name: left out"
     with tempfile.TemporaryDirectory() as work:
         folder = merged(folder, waker, work)
         with open(os.path.join(folder, "campaign.json"),
@@ -78,7 +81,7 @@ def take(folder, data, waker=None):
                   encoding="utf-8", newline="") as file:
             rows = list(csv.DictReader(file))
     if not rows:
-        return f"{name}: no realisation is finished"
+        return f"{folder}: no realisation is finished"
     if os.path.exists(path):
         old = Set(path)
         if old.hash == campaign["hash"] and len(old.all_rows) > len(rows):
@@ -100,6 +103,8 @@ def take_run(folder, data):
     foundation-2b-2d ...) came to, as a row of the data folder's list."""
     name = os.path.basename(os.path.normpath(folder))
     name = name.replace("output-chapter6-", "")
+    if not name.startswith("foundation"):
+        return f"{folder}: a run, but not of a foundation: left out"
     with open(os.path.join(folder, "summary.json"), encoding="utf-8") as file:
         summary = json.load(file)
     masses = summary["sliding_masses"]
@@ -211,8 +216,8 @@ class Sets:
 
     def __init__(self, data):
         found = [Set(path) for path in sorted(glob.glob(os.path.join(
-            data, "*.csv"))) if re.match(r"(analysis|weight|length)\w+(-2d(-15s)?)?$",
-                                         os.path.basename(path)[:-4])]
+            data, "*.csv"))) if NAME.match(
+                os.path.basename(path)[:-4])]
         self.by_name = {s.name: s for s in found if len(s)}
         self.runs = {row["name"]: row for row in read_runs(
             os.path.join(data, DETERMINISTIC))}

@@ -20,13 +20,13 @@ def ratio(mask):
     return f"{p:.3g} [{low:.3g}, {high:.3g}], {count} of {n}"
 
 
-def average(values, unit=""):
+def average(values):
     values = values[~np.isnan(values)]
     if len(values) == 0:
         return None
     middle, low, high = mean_of_few(values)
     between = "" if np.isnan(low) else f" [{low:.2f}, {high:.2f}]"
-    return f"{middle:.2f}{between}{unit}, N = {len(values)}"
+    return f"{middle:.2f}{between}, N = {len(values)}".replace("-", "−")
 
 
 def reach(values):

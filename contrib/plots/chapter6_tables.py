@@ -25,8 +25,9 @@ def mean(values):
     if len(values) == 0:
         return "–"
     middle, low, high = mean_of_few(values)
-    return f"{middle:.3g}" + ("" if np.isnan(low) else
+    text = f"{middle:.3g}" + ("" if np.isnan(low) else
                               f" [{low:.3g}, {high:.3g}]")
+    return text.replace("-", "−")
 
 
 def comparison(sets):
@@ -101,10 +102,11 @@ def longer_screen(sets):
     if not len(i):
         return None
     open_ = short.mask_undecided[i]
+    later = int(np.sum(long.mask_fails[j] & open_))
+    alike = int(np.sum(short.mask_fails[i] == long.mask_fails[j]))
     return (f"Of the {int(open_.sum())} in 2D that still move at 3 s "
-            f"{int(np.sum(long.mask_fails[j] & open_))} slide until 15 s; "
-            f"the screens agree in {int(np.sum(short.mask_fails[i] == long.mask_fails[j]))} "
-            f"of {len(i)}.")
+            f"{later or 'none'} slide{'s' * (later == 1)} until 15 s; the "
+            f"screens agree in {alike} of {len(i)}.")
 
 
 def stronger(sets):
@@ -174,7 +176,7 @@ def verdict(values):
         return "–"
     middle, low, high = mean_of_few(values)
     word = "up" if low > 0 else "down" if high < 0 else "open"
-    return f"{word} {middle:+.2f} [{low:+.2f}, {high:+.2f}]"
+    return f"{word} {middle:+.2f} [{low:+.2f}, {high:+.2f}]".replace("-", "−")
 
 
 def moves(sets):
