@@ -26,6 +26,7 @@ import argparse
 import os
 
 import chapter6_histograms
+import chapter6_pages
 import chapter6_programmes
 import page
 from chapter6_data import Sets, take, take_run
@@ -33,7 +34,7 @@ from chapter6_tables import tables
 
 
 def draw(sets, data, figures):
-    """Draws all; says what is missing."""
+    """Draws all; says what is missing: {figure: words}."""
     notes = {"figure_6_02": chapter6_programmes.examples(figures, data)}
     chapter6_programmes.trends(figures)
     for name in chapter6_histograms.FIGURES:
@@ -42,6 +43,7 @@ def draw(sets, data, figures):
     for name, note in notes.items():
         if note:
             print(f"{name}: {note}")
+    return notes
 
 
 def main():
@@ -64,12 +66,16 @@ def main():
         print(chapter6_programmes.find_examples(arguments.waker,
                                                 arguments.data))
     sets = Sets(arguments.data)
-    draw(sets, arguments.data, arguments.figures)
-    if arguments.page:
-        page.rewrite(arguments.page, tables(sets))
-        print(arguments.page)
-    else:
-        print("\n\n".join(tables(sets).values()))
+    notes = draw(sets, arguments.data, arguments.figures)
+    sections = tables(sets)
+    sections["pictures"] = chapter6_pages.pictures(sets)
+    if not arguments.page:
+        print("\n\n".join(sections.values()))
+        return
+    sections["figures"] = chapter6_pages.figures(notes, os.path.relpath(
+        arguments.figures, os.path.dirname(arguments.page) or "."))
+    page.rewrite(arguments.page, sections)
+    print(arguments.page)
 
 
 if __name__ == "__main__":

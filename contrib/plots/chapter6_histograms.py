@@ -168,6 +168,12 @@ def thesis_marks(axis, figure, column, top):
 def draw(figure_name, sets, folder):
     """Returns a line that says what is not drawn, or None."""
     analyses, columns = FIGURES[figure_name]
+    here = {name for name in analyses for plane in (False, True)
+            if sets.analysis(name, plane) is not None}
+    if len(here) < min(2, len(analyses)):
+        return "not drawn, only of " + (", ".join(
+            SETS_NAME[name] for name in sorted(here)) or "none") + \
+            " there are realisations"
     palette = dict(zip(analyses, colours(len(analyses))))
     found = []
     for plane in (False, True):
@@ -188,9 +194,6 @@ def draw(figure_name, sets, folder):
                        [e for e in entries if len(e[0]) < ENOUGH]))
     with_curve = any(many for _, many, _ in panels)
     n_few = max(len(few) for _, _, few in panels)
-    if not with_curve and n_few == 0:
-        return "not drawn, no realisations of " + ", ".join(
-            SETS_NAME[name] for name in analyses)
     strip = 0.15 + 0.17 * n_few
     heights = [2.5, strip] if with_curve else [0.3, max(strip, 0.5)]
     figure = plt.figure(figsize=(7.6 if len(columns) > 1 else 5.4,
@@ -224,7 +227,9 @@ def draw(figure_name, sets, folder):
                        transform=below.transAxes, fontsize=8)
             below.set_yticks([])
         below.set_xlabel(QUANTITIES[column][0])
-        below.set_xlim(*LAST[column])
+        low, high = LAST[column]
+        shown = [values_of(e[0], column).max() for e in many + few]
+        below.set_xlim(low, max([high] + [1.05 * x for x in shown]))
     figure.savefig(os.path.join(folder, figure_name + ".png"))
     plt.close(figure)
     wanted = [(name, plane) for name in analyses for plane in (False, True)]
