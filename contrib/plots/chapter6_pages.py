@@ -12,8 +12,8 @@ CAPTIONS = (
      "step marked: the lowest number that is inherently unstable; that is held "
      "once, when it fails; that is held for at most 0.1 s at a time, at least "
      "twice, and goes on; that is held for 0.2 s or more, and goes on. The "
-     "last two are held first by the shock of the last hundredth of the "
-     "weight. Dotted: the limits."),
+     "last two are held for the first time within 0.1 s of the start. Dotted: "
+     "the limits."),
     (("figure_6_03",), "6.3", "Mean strength with depth, a standard deviation "
      "beside it. With k = 6 kPa/m a quarter of the cells at the crest would "
      "be negative, and are cut off."),

@@ -43,6 +43,16 @@ def reach(values):
             + average(values))
 
 
+def peak(values):
+    """The most frequent value."""
+    values = values[~np.isnan(values)]
+    if len(values) == 0:
+        return None
+    kinds, counts = np.unique(values, return_counts=True)
+    return (f"most often {kinds[np.argmax(counts)]:.2f}, {counts.max()} of "
+            f"{len(values)}")
+
+
 def both(get):
     """The same reading in 3D and in 2D: two functions of the sets."""
     return (lambda sets: get(sets, False)), (lambda sets: get(sets, True))
@@ -61,6 +71,15 @@ def slides(analysis):
     def get(sets, plane):
         s = sets.screen(analysis, plane)
         return None if s is None else ratio(s.mask_fails)
+    return both(get)
+
+
+def slid(analysis, read):
+    """`read(set, rows)` of those that slide in the screen."""
+    def get(sets, plane):
+        s = sets.screen(analysis, plane)
+        return None if s is None or not s.mask_fails.any() else \
+            read(s, s.mask_fails)
     return both(get)
 
 

@@ -4,8 +4,8 @@
 from chapter6_data import FIRST_CLASS
 from chapter6_readings import (CREST, LENGTH, above, against, alone, bearing,
                               below, cut, deviations, inherent, of, only_space,
-                              over_mean, ranges, ratio, ratio_to_mean, slides,
-                              stands, times)
+                              over_mean, peak, ranges, ratio, ratio_to_mean,
+                              slid, slides, stands, times)
 
 RETROGRESSION, VOLUME, WIDTH = ("retrogression_distance",
                                 "relative_failure_volume",
@@ -48,6 +48,9 @@ ROWS = [
          *of("1", ranges(RETROGRESSION))),
         ("the same of those below 0.1 m", "2D a local peak at 0.8",
          *of("1", ranges(RETROGRESSION, inherent))),
+        ("the same of those that slide in the screen, at its end",
+         "2D a local peak at 0.8",
+         *slid("1", lambda s, rows: peak(s[RETROGRESSION][rows]))),
         ("beyond 1.5 m", "unlikely; worse in 2D",
          *of("1", above(RETROGRESSION, 1.5))),
         ("to the end of the domain, 2.5 m", "some",
