@@ -46,8 +46,8 @@ FIGURES = {
                                         "relative_failure_volume")),
 }
 STARS = {("figure_6_12", "load"): [(0.0, 10.4, "3D"), (0.0, 20.1, "2D")],
-         ("figure_6_15", "load"): [(0.0, 10.4, "2A"),
-                                   (0.0, 31.2, "2B, 3 ×")]}
+         ("figure_6_15", "load"): [(0.0, 10.4, "2A, 3D"),
+                                   (0.0, 31.2, "2B, 3D")]}
 RANGES = {("figure_6_12", "load"): [(0.4, 1.2, "3D"), (0.0, 0.6, "2D")],
           ("figure_6_14", "relative_failure_volume"): [
               (0.10, 0.35, "3D"), (0.30, 1.00, "2D")],
@@ -55,8 +55,8 @@ RANGES = {("figure_6_12", "load"): [(0.4, 1.2, "3D"), (0.0, 0.6, "2D")],
               (1.0, 1.5, "large peak")]}
 LINES = {("figure_6_13", "retrogression_distance"): [
              (0.8, "inherent, 2D"), (2.5, "end of the domain")],
-         ("figure_6_14", "damaged_crest_width"): [(4.2, "deterministic")],
-         ("figure_6_17", "damaged_crest_width"): [(4.25, "deterministic")]}
+         ("figure_6_14", "damaged_crest_width"): [(4.2, "mean strengths")],
+         ("figure_6_17", "damaged_crest_width"): [(4.25, "mean strengths")]}
 SETS_NAME = {"1": "1", "2b": "2B", "2c": "2C", "3a": "3A", "3c": "3C",
              "3d": "3D", "3e": "3E", "4b": "4B", "4c": "4C"}
 MEANING = {"2": {"1": "2A: 3.6 kPa", "2b": "2B: 3.4 kPa"},
@@ -213,7 +213,10 @@ def draw(figure_name, sets, folder):
                        markeredgecolor="black", markeredgewidth=0.6,
                        label="mean strengths")
             above.set_ylabel("share of the realisations (%)")
-            above.legend(fontsize=7)
+            marked = any((figure_name, column) in table
+                         for table in (STARS, RANGES, LINES))
+            if marked or not any(panel[1] for panel in panels[:k]):
+                above.legend(fontsize=7)
         if many and few:
             above.tick_params(labelbottom=False)
         if few:
