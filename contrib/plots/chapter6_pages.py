@@ -107,5 +107,5 @@ def pictures(sets):
             "load", "relative_failure_volume", "retrogression_distance",
             "damaged_crest_width"))
         lines.append(f"| {number} | {analysis.upper()} | {rule} | "
-                     f"{s.numbers[i]} of {len(s)} | {values} |")
+                     f"no. {s.numbers[i]}, N = {len(s)} | {values} |")
     return "\n".join(lines)

@@ -175,7 +175,7 @@ def main():
             "variation. *Not run yet.*")
         has(checks, "a figure of it", page, "![6.16](figures/figure_6_16.png)")
         has(checks, "what to render", page, "under the load, widest first "
-            "mass | 20 of 3 | 0.90 |")
+            "mass | no. 20, N = 3 | 0.90 |")
         checks.equal("the rest of the page", (page.startswith("before\n"),
                      page.endswith("after\n"), "former text" in page),
                      (True, True, False))
