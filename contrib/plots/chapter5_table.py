@@ -13,11 +13,11 @@ of the page (names: comparison, campaigns); the rest of the page stays. Without
 """
 
 import argparse
-import re
 import sys
 
 import numpy as np
 
+from page import rewrite
 from store import Store
 from thesis_numbers import POINTS, Stores
 from thesis_parameters import differences
@@ -87,15 +87,6 @@ def machines(stores):
     return lines
 
 
-def replace(page, name, text):
-    pattern = re.compile(rf"(<!-- begin {name} -->\n).*?(<!-- end {name} -->)",
-                         re.DOTALL)
-    if not pattern.search(page):
-        sys.exit(f"the page has no lines '<!-- begin {name} -->' and "
-                 f"'<!-- end {name} -->'")
-    return pattern.sub(lambda match: match[1] + text + "\n" + match[2], page)
-
-
 def main():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
@@ -116,12 +107,7 @@ def main():
     if not arguments.page:
         print("\n\n".join(tables.values()))
         return
-    with open(arguments.page, encoding="utf-8") as file:
-        page = file.read()
-    for name, text in tables.items():
-        page = replace(page, name, text)
-    with open(arguments.page, "w", encoding="utf-8") as file:
-        file.write(page)
+    rewrite(arguments.page, tables)
     print(arguments.page)
 
 

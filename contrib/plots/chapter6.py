@@ -4,188 +4,78 @@
 realisations of its campaigns.
 
 usage: chapter6.py DATA_FOLDER FIGURE_FOLDER [CAMPAIGN_FOLDER ...]
+                   [--waker PROGRAM] [--page MARKDOWN]
 
-Each campaign folder (merged: report/realisations.csv, campaign.json) is first
-put into DATA_FOLDER as <name>.csv with the columns that count, named after its
-Output/Directory without "output-chapter6-". Then figures and the table of all
-that is in DATA_FOLDER are made; the table is printed as Markdown.
+Each campaign folder is first put into DATA_FOLDER as <name>.csv with the columns
+that count, named after its Output/Directory without "output-chapter6-"; a table
+of the same campaign with more realisations stays. One that is not merged yet is
+copied and merged by PROGRAM, and stays as it is. Then the figures of all
+that is in DATA_FOLDER are drawn, and the tables put into the sections of the
+page; without --page they are printed. What cannot be drawn is said.
+
+A folder of a run of mean strengths (foundation, foundation-2d, foundation-2b-2d
+...) becomes a row of mean_strength.csv.
+
+Names: analysis1, analysis2b ... are in 3D, with "-2d" in plane strain; weight1 ...
+are under their own weight alone (--set "Load programmes/Names="), length2,
+length4, length8 such ones with smooth ends. --waker also computes the histories
+of figure 6.2, if DATA_FOLDER has none.
 """
-import csv
-import glob
-import json
+
+import argparse
 import os
-import sys
 
-import numpy as np
-from estimates import proportion
-from figure_files import BLUE, GREY, VERMILLION, plt
-
-COLUMNS = ("realisation", "outcome", "load", "load_stop_time",
-           "relative_failure_volume", "retrogression_distance",
-           "damaged_crest_width", "n_masses", "first_mass_volume",
-           "first_mass_width",
-           "n_masses_remnant", "n_masses_side",
-           "n_masses_behind_centred", "n_masses_behind_off_centre",
-           "mean_strength", "unconverged_steps", "steps",
-           "wall_time", "field_time")
-# Load heights below this (m) are those of slopes that fail under their own
-# weight: the first class of the thesis's histograms.
-INHERENT = 0.1
+import chapter6_histograms
+import chapter6_pages
+import chapter6_programmes
+import page
+from chapter6_data import Sets, take, take_run
+from chapter6_tables import tables
 
 
-def take(folder, data):
-    """The columns of a campaign as a table in the data folder."""
-    with open(os.path.join(folder, "campaign.json"), encoding="utf-8") as file:
-        campaign = json.load(file)
-    name = os.path.basename(os.path.normpath(folder))
-    name = name.replace("output-chapter6-", "")
-    with open(os.path.join(folder, "report", "realisations.csv"),
-              encoding="utf-8", newline="") as file:
-        rows = list(csv.DictReader(file))
-    columns = [c for c in COLUMNS if c in rows[0]]
-    path = os.path.join(data, name + ".csv")
-    with open(path, "w", encoding="utf-8", newline="") as file:
-        file.write(f"# campaign {campaign['hash']}, seed {campaign['seed']}, "
-                   f"Waker {campaign['version']}\n")
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(columns)
-        for row in rows:
-            writer.writerow([row[c] if c == "outcome" else short(row[c])
-                             for c in columns])
-    return path
-
-
-def short(text):
-    """A number with six digits; nothing for NaN."""
-    try:
-        x = float(text)
-    except ValueError:
-        return ""
-    return "" if np.isnan(x) else f"{x:.6g}"
-
-
-class Set:
-    """The realisations of one table that gave a result."""
-
-    def __init__(self, path):
-        self.name = os.path.splitext(os.path.basename(path))[0]
-        with open(path, encoding="utf-8", newline="") as file:
-            rows = list(csv.DictReader(
-                line for line in file if not line.startswith("#")))
-        self.n_lost = sum(r["outcome"] == "numerical failure" for r in rows)
-        self.rows = [r for r in rows if r["outcome"] != "numerical failure"]
-
-    def __getitem__(self, column):
-        return np.array([float(r[column]) if r.get(column) else np.nan
-                         for r in self.rows])
-
-    @property
-    def is_plane(self):
-        return self.name.endswith("-2d")
-
-    @property
-    def label(self):
-        return self.name.replace("analysis", "analysis ").replace("-2d", ", 2D")
-
-    def share(self, condition):
-        """'0.21 [0.17, 0.26]', n counted."""
-        p = proportion(int(np.sum(condition)), len(self.rows))
-        return f"{p[0]:.3g} [{p[1]:.3g}, {p[2]:.3g}]"
-
-
-def spread(values):
-    """'0.36 (0.04 to 0.7)': mean, and 5 to 95 %."""
-    values = values[~np.isnan(values)]
-    if len(values) == 0:
-        return ""
-    low, high = np.quantile(values, (0.05, 0.95))
-    return f"{values.mean():.2f} ({low:.2f} to {high:.2f})"
-
-
-def table(sets):
-    lines = ["| | N | inherently unstable | load (m) | failure volume (-) | "
-             "more than half | retrogression (m) | s each |",
-             "|---|---|---|---|---|---|---|---|"]
-    for s in sets:
-        volume = s["relative_failure_volume"]
-        lines.append(
-            f"| {s.label} | {len(s.rows)} | {s.share(s['load'] < INHERENT)} | "
-            f"{spread(s['load'])} | {spread(volume)} | "
-            f"{s.share(volume > 0.5)} | {spread(s['retrogression_distance'])} | "
-            f"{np.nanmean(s['wall_time']):.3g} |")
-    return "\n".join(lines)
-
-
-def histograms(sets, figures):
-    """As figures 6.12 to 6.14: load, failure volume, retrogression."""
-    quantities = (("load", "ultimate load (m of soil)", 0.1),
-                  ("relative_failure_volume", "relative failure volume (-)",
-                   0.1),
-                  ("retrogression_distance", "retrogression distance (m)",
-                   0.2))
-    figure, axes = plt.subplots(len(sets), 3, squeeze=False,
-                                figsize=(9, 0.6 + 2.1 * len(sets)))
-    for row, s in zip(axes, sets):
-        inherent = s["load"] < INHERENT
-        for axis, (column, name, width) in zip(row, quantities):
-            values = s[column]
-            top = max(np.nanmax(values), width)
-            edges = np.arange(0., top + width, width)
-            axis.hist([values[inherent], values[~inherent]], bins=edges,
-                      stacked=True, color=[VERMILLION, BLUE],
-                      label=["under its own weight", "under the load"])
-            axis.set_xlabel(name)
-            axis.set_ylabel("realisations")
-        row[0].set_title(f"{s.label}, N = {len(s.rows)}")
-        row[0].legend()
-    figure.savefig(os.path.join(figures, "histograms.png"))
-    plt.close(figure)
-
-
-def pairs(sets, figures):
-    """Each realisation in 3D beside its twin in the plane."""
-    by_name = {s.name: s for s in sets}
-    found = [(s, by_name[s.name + "-2d"]) for s in sets
-             if s.name + "-2d" in by_name]
-    lines = []
-    for space, plane in found:
-        twin = {r["realisation"]: r for r in plane.rows}
-        both = [(float(r["load"]), float(twin[r["realisation"]]["load"]))
-                for r in space.rows if r["realisation"] in twin]
-        if not both:
-            continue
-        x, y = np.array(both).T
-        lines.append(f"{space.label}: {len(x)} pairs, 3D bears more in "
-                     f"{np.sum(x > y)}, mean {x.mean():.2f} m against "
-                     f"{y.mean():.2f} m in the plane")
-        figure, axis = plt.subplots(figsize=(4, 4))
-        axis.plot(y, x, "o", color=BLUE)
-        top = 1.05 * max(x.max(), y.max())
-        axis.plot([0., top], [0., top], color=GREY, linewidth=0.8)
-        axis.set_xlabel("ultimate load in plane strain (m)")
-        axis.set_ylabel("ultimate load in 3D (m)")
-        axis.set_title(space.label)
-        figure.savefig(os.path.join(figures, f"pairs_{space.name}.png"))
-        plt.close(figure)
-    return lines
+def draw(sets, data, figures):
+    """Draws all; says what is missing: {figure: words}."""
+    notes = {"figure_6_02": chapter6_programmes.examples(figures, data)}
+    chapter6_programmes.trends(figures)
+    for name in chapter6_histograms.FIGURES:
+        notes[name] = chapter6_histograms.draw(name, sets, figures)
+    notes["pairs"] = chapter6_histograms.draw_pairs(sets, figures)
+    for name, note in notes.items():
+        if note:
+            print(f"{name}: {note}")
+    return notes
 
 
 def main():
-    if len(sys.argv) < 3:
-        sys.exit(__doc__)
-    data, figures, *campaigns = sys.argv[1:]
-    for folder in (data, figures):
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("data", metavar="DATA_FOLDER")
+    parser.add_argument("figures", metavar="FIGURE_FOLDER")
+    parser.add_argument("campaigns", metavar="CAMPAIGN_FOLDER", nargs="*")
+    parser.add_argument("--waker", metavar="PROGRAM")
+    parser.add_argument("--page", metavar="MARKDOWN")
+    arguments = parser.parse_args()
+    for folder in (arguments.data, arguments.figures):
         os.makedirs(folder, exist_ok=True)
-    for folder in campaigns:
-        print(f"wrote {take(folder, data)}")
-    sets = [Set(path) for path in sorted(glob.glob(os.path.join(data,
-                                                                "*.csv")))]
-    sets = [s for s in sets if s.rows]
-    if not sets:
-        sys.exit(f"no realisations in {data}")
-    histograms(sets, figures)
-    print(table(sets))
-    print("\n".join(pairs(sets, figures)))
+    for folder in arguments.campaigns:
+        is_run = os.path.exists(os.path.join(folder, "summary.json"))
+        print(take_run(folder, arguments.data) if is_run else
+              take(folder, arguments.data, arguments.waker))
+    if arguments.waker and not os.path.exists(os.path.join(
+            arguments.data, chapter6_programmes.EXAMPLES)):
+        print(chapter6_programmes.find_examples(arguments.waker,
+                                                arguments.data))
+    sets = Sets(arguments.data)
+    notes = draw(sets, arguments.data, arguments.figures)
+    sections = tables(sets)
+    sections["pictures"] = chapter6_pages.pictures(sets)
+    if not arguments.page:
+        print("\n\n".join(sections.values()))
+        return
+    sections["figures"] = chapter6_pages.figures(notes, os.path.relpath(
+        arguments.figures, os.path.dirname(arguments.page) or "."))
+    page.rewrite(arguments.page, sections)
+    print(arguments.page)
 
 
 if __name__ == "__main__":

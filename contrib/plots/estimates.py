@@ -96,6 +96,22 @@ def mean_with_interval(values):
     return mean, mean - half, mean + half
 
 
+def student(degrees, level=0.95):
+    """t that the modulus of Student's t exceeds with probability 1 - level."""
+    x = beta_quantile(degrees / 2, 0.5, 1.0 - level)
+    return math.sqrt(degrees * (1.0 / x - 1.0))
+
+
+def mean_of_few(values):
+    """(mean, low, high) with Student's 95 % interval; NaN where too few."""
+    n = len(values)
+    if n < 2:
+        return (float(values[0]) if n else math.nan), math.nan, math.nan
+    mean = float(np.mean(values))
+    half = student(n - 1) * float(np.std(values, ddof=1)) / math.sqrt(n)
+    return mean, mean - half, mean + half
+
+
 def histogram(values, edges):
     """Shares (%) of the values in each bin; zeros if there are none."""
     counts, _ = np.histogram(values, edges)
