@@ -46,11 +46,17 @@ namespace Waker
           tangents.clear();
           tangents.shrink_to_fit();
           tangents.reserve(groups.size() + groups.size() / 20);
+          n_filled.clear();
         }
       tangents.resize(groups.size());
+      n_filled.resize(groups.size(), 0);
+      // Lanes without a point are 0, as new ones are.
       for (std::size_t g = 0; g < groups.size(); ++g)
-        if (groups[g].n_points < n_lanes)
-          tangents[g] = GroupTangent{};
+        {
+          if (groups[g].n_points < n_filled[g])
+            tangents[g] = GroupTangent{};
+          n_filled[g] = groups[g].n_points;
+        }
 
       double A[n_entries][N];
       for (std::size_t b = 0; b * N < points.n_points(); ++b)
@@ -110,6 +116,7 @@ namespace Waker
 
     PointGroups<Lanes>          groups;
     std::vector<GroupTangent>   tangents;
+    std::vector<unsigned char>  n_filled; // lanes of each, the first ones
     mutable std::vector<Number> direction, result; // of a product
   };
 
