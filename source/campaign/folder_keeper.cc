@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/base/hash.h>
 #include <waker/base/read_file.h>
 #include <waker/campaign/folder_keeper.h>
 #include <waker/output/files.h>
@@ -51,7 +52,10 @@ namespace Waker
                              const double                       interval,
                              const std::function<void(double)> &said)
     : directory(running_folder(folder, scenario, realisation))
-    , slots(directory, hash)
+    // A folder that was moved or copied is not another realisation's.
+    , slots(directory,
+            hash_of_text(hash + " " + std::to_string(scenario) + "-" +
+                         std::to_string(realisation)))
     , interval(interval)
     , said(said)
     , last_note(Clock::now())

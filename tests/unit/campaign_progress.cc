@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/campaign/folder_keeper.h>
 #include <waker/campaign/progress.h>
 #include <waker/campaign/schedule.h>
+#include <waker/store/campaign_files.h>
 
+#include "output_temporary_folder.h"
 #include <algorithm>
+#include <filesystem>
 #include <gtest/gtest.h>
 #include <random>
 #include <set>
@@ -180,6 +184,35 @@ namespace campaign_progress
       counts.n_undecided        = 0;
       parameters.interval_width = 0.1;
       EXPECT_FALSE(enough(parameters, counts));
+    }
+
+
+    // Else a folder that was moved gives one realisation the numbers of
+    // another.
+    TEST(Campaign, what_is_kept_is_of_its_realisation_only)
+    {
+      const TemporaryFolder folder;
+      const auto            keeper = [&](const unsigned int  scenario,
+                              const std::uint64_t realisation) {
+        return FolderKeeper(folder.path,
+                            scenario,
+                            realisation,
+                            "0123456789abcdef",
+                            1.,
+                            [](double) {});
+      };
+      const auto place = [&](const unsigned int  scenario,
+                             const std::uint64_t realisation) {
+        return running_folder(folder.path, scenario, realisation);
+      };
+      keeper(0, 0).keep(5, 0.5, "all that is known");
+      EXPECT_EQ(keeper(0, 0).earlier(), "all that is known");
+      std::filesystem::rename(place(0, 0), place(0, 1));
+      EXPECT_EQ(keeper(0, 1).earlier(), "");
+      std::filesystem::rename(place(0, 1), place(1, 0));
+      EXPECT_EQ(keeper(1, 0).earlier(), "");
+      std::filesystem::rename(place(1, 0), place(0, 0));
+      EXPECT_EQ(keeper(0, 0).earlier(), "all that is known");
     }
   } // namespace
 } // namespace campaign_progress
