@@ -17,9 +17,9 @@ namespace Waker
    * Hydrostatic pressure on the outer slope: from the outer toe of the largest
    * body, in the plane along its surface up to where it first reaches the water
    * level (WetSection), in space over all that the water reaches (WetBody). The
-   * share of a node with less mass than `minimum_support`
-   * goes to supported nodes nearby, with weights that reproduce linear
-   * functions: resultant and moment are kept.
+   * share of a node with less mass than `minimum_support` goes to supported
+   * nodes nearby, with weights that reproduce linear functions: resultant and
+   * moment are kept.
    */
   template <int dim>
   class WaterLoad

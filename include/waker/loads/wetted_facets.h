@@ -11,10 +11,9 @@ namespace Waker
 {
   /**
    * What find_wetted_segments() finds in the plane, in three dimensions: what
-   * the water reaches of the largest body
-   * over its surface, from the outer toe line, without coming up to the level,
-   * clipped at the level. So it comes through a gap in the crest, and stays out
-   * of a hollow behind it, or inside.
+   * the water reaches of the largest body over its surface, from the outer toe
+   * line, without coming up to the level, clipped at the level. So it comes
+   * through a gap in the crest, and stays out of a hollow behind it, or inside.
    *
    * The outer toe line, with the water on the left, is the left end of the
    * body's contact with the closed bottom, in each slice of the width of a cell

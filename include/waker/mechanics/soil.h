@@ -16,8 +16,8 @@ namespace Waker
   /**
    * The resistance of the soil: the internal force of the points' stresses at
    * the end of the step (eq. 2.28 of Remmerswaal 2023; StressUpdate), and a
-   * tangent to it (eq. 2.30). Their stresses are
-   * what is carried from step to step.
+   * tangent to it (eq. 2.30). Their stresses are what is carried from step to
+   * step.
    */
   template <int dim>
   class Soil : public Resistance<dim>
