@@ -229,8 +229,9 @@ namespace Waker
   Scene<dim>::set_internal_force(const MaterialPoints<dim> &points)
   {
     nodes.internal_force = 0.;
-    make_point_motion<dim>(the_case->parameters.mapping)
-      ->add_force_of_stress(points, weights, nodes.internal_force);
+    const auto motion    = make_point_motion<dim>(the_case->parameters.mapping);
+    motion->start(points, weights);
+    motion->add_force_of_stress(points, weights, nodes.internal_force);
     for (Resistance<dim> *const resistance : resistances())
       resistance->add_start_force(nodes.internal_force);
   }

@@ -45,10 +45,11 @@ namespace Waker
 
   template <int dim>
   void
-  LogarithmicMotion<dim>::resize(const std::size_t n_points)
+  LogarithmicMotion<dim>::start(const MaterialPoints<dim> &points,
+                                const Weights<dim> &)
   {
-    gradients.resize(n_points);
-    steps.resize(n_points);
+    gradients.resize(points.n_points());
+    steps.resize(points.n_points());
   }
 
 

@@ -13,15 +13,16 @@ namespace Waker
     constexpr unsigned int N = Material::block_size;
 
 
-    /// P grad S + p grad^c S for a stress times a volume.
+    /// (S - b p I) grad S_i + b p grad^c S_i for a stress S times a volume.
     template <int dim>
     void
     scatter_stress(const CentreStencil<dim>    &stencil,
                    const PointWeights<dim>     &w,
                    const SymmetricTensor<2, 3> &stress,
+                   const double                 share,
                    double                      *force)
     {
-      const double   p = trace(stress) / 3.;
+      const double   p = share * trace(stress) / 3.;
       Tensor<2, dim> P;
       for (unsigned int i = 0; i < dim; ++i)
         for (unsigned int j = 0; j < dim; ++j)
@@ -47,7 +48,7 @@ namespace Waker
         double d = stencil.gradient(w, {w, stencil.cell_size()}, increment, H);
         for (unsigned int i = 0; i < dim; ++i)
           d -= H[i][i];
-        d /= 3.;
+        d *= shares[p] / 3.;
         corrections[p] = d;
         for (unsigned int i = 0; i < dim; ++i)
           for (unsigned int j = 0; j < dim; ++j)
@@ -92,6 +93,7 @@ namespace Waker
         scatter_stress(stencil,
                        weights[p],
                        points.volume[p] * block_stress(block.stress, l),
+                       shares[p],
                        force);
       }
   }
@@ -109,6 +111,7 @@ namespace Waker
       scatter_stress(stencil,
                      weights[p],
                      points.volume[p] * points.stress[p],
+                     shares[p],
                      force.begin());
   }
 
@@ -150,11 +153,13 @@ namespace Waker
 
     BlockMotion<dim> motion;
     this->load_gradients(range, motion);
-    double D[n * n][N], turned[6][N], volume[N] = {};
+    double D[n * n][N], turned[6][N], volume[N] = {}, share[N] = {};
     std::copy_n(&trial.stress[0][0], 6 * N, &turned[0][0]);
     std::fill_n(&D[0][0], n * n * N, 0.);
     material.tangent_block(range.size(), trial, n, components, D);
     std::copy_n(points.volume.data() + range.begin, range.size(), volume);
+    for (unsigned int l = 0; l < range.size(); ++l)
+      share[l] = shares[range.begin + l];
 
     // Of xx, yy, zz and the shear stresses over the gradient.
     double B[n][n_gradient][N];
@@ -178,6 +183,8 @@ namespace Waker
             const double m    = 1. + half * corrections[range.begin + l];
             over_d[l] += volume[l] * D[n * a + 2][l] / (m * m);
           }
+      for (unsigned int l = 0; l < N; ++l)
+        over_d[l] *= share[l];
     };
     for (unsigned int c = 0; c < dim; ++c)
       store(c, c);
@@ -190,7 +197,8 @@ namespace Waker
         {
           // In 3D zz is the third row already.
           const double zz = pressure[i][l];
-          pressure[i][l]  = (result[0][i][l] + result[1][i][l] + zz) / 3.;
+          pressure[i][l] =
+            share[l] * (result[0][i][l] + result[1][i][l] + zz) / 3.;
         }
   }
 

@@ -223,8 +223,8 @@ namespace Waker
                volumetric_strain,
                "standard: the dilatation at the point. B-bar: that of "
                "the cells' centres, averaged over the support domain, "
-               "so that nearly incompressible soil does not lock (not "
-               "with Strain = logarithmic).");
+               "in cells that soil fills, so that nearly incompressible "
+               "soil does not lock (not with Strain = logarithmic).");
     add_choice(prm,
                "Domains",
                domains,

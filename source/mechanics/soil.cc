@@ -35,6 +35,7 @@ namespace Waker
   {
     this->points = &points;
     reached.reinit(nodes.mass);
+    stress_update.begin(points, *weights);
   }
 
 

@@ -82,7 +82,17 @@ namespace Waker
                         ExcMessage("the points lack the variable " + names[v]));
           }
       }
-    motion->resize(points.n_points());
+  }
+
+
+  template <int dim>
+  void
+  StressUpdate<dim>::begin(const MaterialPoints<dim> &points,
+                           const Weights<dim>        &weights)
+  {
+    find_variables(points);
+    motion->start(points, weights);
+    n_begun = points.n_points();
   }
 
 
@@ -93,7 +103,8 @@ namespace Waker
                               const NodalVector         &increment,
                               NodalVector               &internal_force)
   {
-    find_variables(points);
+    AssertThrow(points.n_points() == n_begun,
+                ExcMessage("begin() comes before evaluate()"));
     internal_force = 0.;
 
     Work       work;

@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <sstream>
 
 namespace Waker
 {
@@ -45,22 +46,27 @@ namespace Waker
     /// as mapping loss. "" if it is not that.
     template <int dim>
     std::string
-    energy_from_the_mapping(const State<dim> &state, const Outcome outcome)
+    energy_from_the_mapping(const State<dim> &state,
+                            const Parameters &parameters,
+                            const Outcome     outcome)
     {
       const EnergyAccount &e    = state.energy;
       const double         work = std::abs(e.gravity_work + e.load_work);
       if (outcome != Outcome::still_moving ||
           !(std::abs(e.mapping_loss) > 0.5 * work))
         return "";
-      char text[240];
-      std::snprintf(text,
-                    sizeof text,
-                    "Time stepping/Time step: the dyke still moves, and the "
-                    "mapping loss of %.3g kJ is more than half of the work of "
-                    "weight and loads, %.3g kJ: try a smaller time step",
-                    e.mapping_loss,
-                    work);
-      return text;
+      std::ostringstream text;
+      text.precision(3);
+      text << "Time stepping/Time step: the dyke still moves, and the mapping "
+              "loss of "
+           << e.mapping_loss
+           << " kJ is more than half of the work of weight and loads, " << work
+           << " kJ: try a smaller time step";
+      if (parameters.water.stands() &&
+          parameters.surface.method != SurfaceMethod::contour)
+        text << ", or Surface/Method = contour if only a little soil moves "
+                "under the water";
+      return text.str();
     }
 
 
@@ -115,7 +121,8 @@ namespace Waker
                    " s; go on with --resume.");
           return status;
         }
-      const std::string pumped = energy_from_the_mapping(state, outcome);
+      const std::string pumped =
+        energy_from_the_mapping(state, the_case.parameters, outcome);
       if (!pumped.empty())
         log.warning(pumped);
       recorder.write_summary(state,

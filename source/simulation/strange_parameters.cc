@@ -52,6 +52,16 @@ namespace Waker
                     "Water/Unit weight",
                     "Side = none",
                     warnings);
+      if (p.water.stands() && p.water.minimum_support < 1e-3)
+        {
+          std::ostringstream text;
+          text << "Water/Minimum support: water may load nodes with hardly any "
+                  "soil ("
+               << p.water.minimum_support
+               << "; 0.01 is usual): the soil there may move for ever, or the "
+                  "dyke seem to fail";
+          warnings.push_back(text.str());
+        }
       warn_unused(!p.gravity.initial_stress && p.gravity.initial_share != 1.,
                   "Gravity/Initial share",
                   "Initial stress = false",

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """B-bar does not lock: a strip footing against Prandtl, a slope of 45 degrees
-against its slip circle (doc/verification/b_bar.md).
+against its slip circle. Nor does it move ground under water (doc/verification/b_bar.md).
 
 usage: b_bar.py WAKER SOURCE_DIRECTORY
 """
@@ -12,6 +12,7 @@ import numpy as np
 from waker_case import Checks, workspace_of_arguments
 
 FOOTING, SLOPE = "verification/strip_footing.prm", "verification/slope_45.prm"
+FORELAND = "verification/foreland.prm"
 KIND = "Kinematics and mapping/Volumetric strain"
 COHESION, CIRCLE = 10.0, 3.30  # kPa
 
@@ -20,6 +21,23 @@ def load(run):
     """Load per area of 1 m over c, by step: work of the footing over its
     settlement, 1 mm a step."""
     return np.diff(run.statistics["Work of the supports (kJ)"]) / 1e-3 / COHESION
+
+
+def foreland(checks, work):
+    """Soil in cells that it hardly fills stands under water: dykes with ground in
+    front of the toe, at several places on the grid."""
+    for shift, run_out in ((0.0, 12.0), (0.1, 12.0), (0.35, 12.0), (0.1, 16.0)):
+        outline = (f"{shift}, 2; {run_out + 11}, 2; {run_out + 3}, 6; "
+                   f"{run_out}, 6")
+        name = f"outer slope of {run_out:g} m less {shift:g} m"
+        run = work.run(f"foreland-{run_out:g}-{shift:g}", FORELAND,
+                       {"Soil profile/dyke/Polygon": outline})
+        checks.equal(name + ": outcome", run["outcome"], "stable")
+        checks.equal("  masses that slide",
+                     len(run["sliding_masses"]["masses"]), 0)
+        checks.below("  largest displacement (m)",
+                     np.linalg.norm(run.points()["displacement"], axis=1).max(),
+                     0.05)
 
 
 def main():
@@ -60,6 +78,8 @@ def main():
             if kind == "B-bar":
                 checks.between("over the slip circle's", critical / CIRCLE,
                                0.92, 1.02)
+
+        foreland(checks, work)
     checks.finish()
 
 

@@ -73,6 +73,7 @@ namespace materials_simple_shear
       std::vector<Moment> history = {{0., 0., c_i, 0., 0.}};
       for (unsigned int step = 1; step <= n; ++step)
         {
+          update.begin(points, weights);
           update.evaluate(points, weights, du, force);
           const StressReport report = update.accept(points);
           const Moment       before = history.back();

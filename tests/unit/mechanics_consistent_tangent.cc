@@ -70,6 +70,7 @@ namespace mechanics_consistent_tangent
       {
         NodalVector       force(grid.n_dofs());
         StressUpdate<dim> update(materials, make_point_motion<dim>(mapping));
+        update.begin(points, weights);
         update.evaluate(points, weights, u, force);
         return force;
       }
@@ -94,6 +95,7 @@ namespace mechanics_consistent_tangent
       NodalVector        force(n);
       StressUpdate<dim> update(body.materials, make_point_motion<dim>(mapping));
       ConsistentTangent<dim> tangent(body.weights, precision);
+      update.begin(body.points, body.weights);
       update.evaluate(body.points, body.weights, body.increment, force);
       tangent.reinit(update, body.points);
 
@@ -192,6 +194,7 @@ namespace mechanics_consistent_tangent
       StressUpdate<dim>      update(body.materials,
                                make_point_motion<dim>(body.mapping));
       ConsistentTangent<dim> tangent(body.weights, Precision::double_precision);
+      update.begin(body.points, body.weights);
       update.evaluate(body.points, body.weights, body.increment, force);
       tangent.reinit(update, body.points);
       Lattice::Random random(61);

@@ -54,6 +54,7 @@ namespace mechanics_double_mapping
         mapping.volumetric_strain =
           mean ? VolumetricStrain::b_bar : VolumetricStrain::standard;
         StressUpdate<dim> update(materials, make_small_motion<dim>(mapping));
+        update.begin(points, weights);
         update.evaluate(points, weights, u, force);
         tangent.reinit(update, points);
       }

@@ -53,6 +53,7 @@ namespace mechanics_logarithmic_strain
       {
         StressUpdate<dim> update(materials,
                                  std::make_unique<LogarithmicMotion<dim>>());
+        update.begin(points, weights);
         update.evaluate(points,
                         weights,
                         Lattice::linear_field(grid,
@@ -309,9 +310,12 @@ namespace mechanics_logarithmic_strain
       ConsistentTangent<dim> tangent(weights, Precision::double_precision);
       NodalVector            force(n), up(n), down(n), product(n), other(n);
       const auto internal_force = [&](const NodalVector &v, NodalVector &f) {
-        StressUpdate<dim>(materials, std::make_unique<LogarithmicMotion<dim>>())
-          .evaluate(points, weights, v, f);
+        StressUpdate<dim> other(materials,
+                                std::make_unique<LogarithmicMotion<dim>>());
+        other.begin(points, weights);
+        other.evaluate(points, weights, v, f);
       };
+      update.begin(points, weights);
       update.evaluate(points, weights, u, force);
       tangent.reinit(update, points);
       for (unsigned int k = 0; k < 6; ++k)

@@ -87,6 +87,7 @@ namespace mechanics_patch
       const auto A = random.matrix<dim>(-0.1, 0.1);
       const auto u =
         Lattice::linear_field(grid, A, random.vector<dim>(-1., 1.));
+      update.begin(points, weights);
       update.evaluate(points, weights, u, force);
       update.accept(points);
 

@@ -56,6 +56,7 @@ namespace mechanics_rigid_motion
       {
         weights.reinit(points);
         const NodalVector u = Lattice::linear_field(grid, A, b, centre);
+        update->begin(points, weights);
         update->evaluate(points, weights, u, force);
         const StressReport report = update->accept(points);
         const Stencil<dim> stencil(grid);

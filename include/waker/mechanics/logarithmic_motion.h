@@ -21,7 +21,7 @@ namespace Waker
   {
   public:
     void
-    resize(const std::size_t n_points) override;
+    start(const MaterialPoints<dim> &points, const Weights<dim> &) override;
 
     void
     gather(const Material            &material,

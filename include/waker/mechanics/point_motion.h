@@ -62,8 +62,9 @@ namespace Waker
   public:
     virtual ~PointMotion() = default;
 
+    /// At the start of a step, before all else: for the points as they lie.
     virtual void
-    resize(const std::size_t n_points) = 0;
+    start(const MaterialPoints<dim> &points, const Weights<dim> &weights) = 0;
 
     /// Take the motion of a range from the nodes' displacement increments (m).
     virtual void

@@ -3,6 +3,7 @@
 #define waker_mechanics_step_motion_h
 
 #include <waker/mechanics/block_motion.h>
+#include <waker/mechanics/filled_cells.h>
 #include <waker/mechanics/point_motion.h>
 
 #include <vector>
@@ -25,9 +26,9 @@ namespace Waker
     {}
 
     void
-    resize(const std::size_t n_points) override
+    start(const MaterialPoints<dim> &points, const Weights<dim> &) override
     {
-      gradients.resize(n_points);
+      gradients.resize(points.n_points());
     }
 
     void
@@ -87,11 +88,12 @@ namespace Waker
    * B-bar (Hughes 1980): the dilatation of the step is that of the cells'
    * centres, averaged over the support domain (mapping/centre_stencil.h), so
    * that nearly incompressible soil does not lock:
-   *   H-bar = H + d I,  d = (mean dilatation - tr H) / 3,
+   *   H-bar = H + d I,  d = b (mean dilatation - tr H) / 3,
    * in three dimensions, also in plane strain, where the zz strain d is not
-   * zero. The force is conjugate to that,
-   *   sum_p V_p ((stress_p - p I) grad S_ip + p grad^c S_ip),  p = tr stress_p
-   * / 3.
+   * zero; b is 1 in cells full of soil (FilledCells). The force is conjugate to
+   * that,
+   *   sum_p V_p ((stress_p - b p I) grad S_ip + b p grad^c S_ip),
+   * with p = tr stress_p / 3.
    */
   template <int dim>
   class MeanDilatationMotion : public StepMotion<dim>
@@ -100,10 +102,12 @@ namespace Waker
     using StepMotion<dim>::StepMotion;
 
     void
-    resize(const std::size_t n_points) override
+    start(const MaterialPoints<dim> &points,
+          const Weights<dim>        &weights) override
     {
-      StepMotion<dim>::resize(n_points);
-      corrections.resize(n_points);
+      StepMotion<dim>::start(points, weights);
+      corrections.resize(points.n_points());
+      shares.reinit(points, weights);
     }
 
     void
@@ -157,7 +161,8 @@ namespace Waker
 
   private:
     std::vector<double>
-      corrections; // d; `gradients` are H-bar in dim dimensions
+                     corrections; // d; `gradients` are H-bar in dim dimensions
+    FilledCells<dim> shares;      // b
   };
 } // namespace Waker
 

@@ -50,8 +50,13 @@ namespace Waker
       return *motion;
     }
 
+    /// Start a step, with the points as they lie.
+    void
+    begin(const MaterialPoints<dim> &points, const Weights<dim> &weights);
+
     /**
-     * Evaluate stress and internal force.
+     * Evaluate stress and internal force, after begin() with the same points
+     * and weights.
      *
      * @param increment displacement increments of the nodes (m)
      * @param internal_force out: see PointMotion::scatter() (kN)
@@ -114,6 +119,7 @@ namespace Waker
     /// Names of the materials' variables, and their places among the scalars.
     std::vector<std::vector<std::string>> variable_names;
     std::vector<std::vector<int>>         variable_arrays;
+    std::size_t n_begun = std::size_t(-1); // points that begin() has seen
   };
 } // namespace Waker
 

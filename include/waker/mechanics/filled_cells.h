@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_mechanics_filled_cells_h
+#define waker_mechanics_filled_cells_h
+
+#include <waker/mapping/weights.h>
+#include <waker/particles/material_points.h>
+
+#include <vector>
+
+namespace Waker
+{
+  /**
+   * How far B-bar acts on each point: fully in cells that soil fills, not at
+   * all in those of which it fills half or less.
+   *
+   * A cell's centre stands for its soil only if the soil is all around it. In
+   * a cell with a wedge of soil in a corner, a uniform pressure p in that soil
+   * and the same p on its surface are in balance for the standard gradients,
+   *   sum_p V_p grad S_ip = the surface's integral of S_i n,
+   * but not for those at the centre: what is left over tears at nodes with
+   * hardly any mass. Where the cell is not full nothing locks, either.
+   *
+   * With f the share of a cell that the support domains' volumes fill,
+   *   share of the cell   b = 4 f - 2, within 0 and 1,
+   *   share of the point    = 2 B - 1, at least 0,
+   * with B the mean of b over the support domain: one that lies in full cells
+   * by half or less has no B-bar.
+   */
+  template <int dim>
+  class FilledCells
+  {
+  public:
+    /// Find the shares for the points as they lie.
+    void
+    reinit(const MaterialPoints<dim> &points, const Weights<dim> &weights);
+
+    /// Share of B-bar of point p, 0 to 1.
+    double
+    operator[](const std::size_t p) const
+    {
+      return shares[p];
+    }
+
+  private:
+    std::vector<double> cells; // by their lowest node: volume (m^dim), then b
+    std::vector<double> shares;
+  };
+} // namespace Waker
+
+#endif
