@@ -120,6 +120,13 @@ namespace Waker
   }
 
 
+  std::string
+  counted(const std::size_t n, const std::string &noun)
+  {
+    return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
+  }
+
+
   bool
   is_plain_text(const std::string &text)
   {

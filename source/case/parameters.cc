@@ -6,6 +6,7 @@
 #include <waker/base/errors.h>
 #include <waker/base/numbers.h>
 #include <waker/base/sizes.h>
+#include <waker/base/text.h>
 #include <waker/case/load_programmes.h>
 #include <waker/case/parameters.h>
 #include <waker/loads/water_level.h>
@@ -34,7 +35,7 @@ namespace Waker
     {
       if (values.size() != length)
         throw UserError(path,
-                        "has " + std::to_string(values.size()) + " numbers",
+                        "has " + counted(values.size(), "number"),
                         std::to_string(length) + " numbers (" + reason + ")" +
                           decimals_with_a_point);
     }

@@ -118,7 +118,7 @@ namespace Waker
     const auto text = [](const double value) { return in_digits(value); };
     if (scales.size() != dim)
       throw UserError(path + "/Scales of fluctuation",
-                      "has " + std::to_string(scales.size()) + " numbers",
+                      "has " + counted(scales.size(), "number"),
                       std::to_string(dim) + " numbers above 0" +
                         decimals_with_a_point);
     for (const double scale : scales)
@@ -128,7 +128,7 @@ namespace Waker
                         "numbers above 0");
     if (!cell_size.empty() && cell_size.size() != dim)
       throw UserError(path + "/Cell size",
-                      "has " + std::to_string(cell_size.size()) + " numbers",
+                      "has " + counted(cell_size.size(), "number"),
                       "nothing, or " + std::to_string(dim) +
                         " numbers above 0" + decimals_with_a_point);
     for (const double size : cell_size)

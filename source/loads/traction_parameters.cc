@@ -199,7 +199,7 @@ namespace Waker
                              const std::vector<double> &values) {
       if (values.size() != dim)
         throw UserError(path + entry,
-                        "has " + std::to_string(values.size()) + " numbers",
+                        "has " + counted(values.size(), "number"),
                         std::to_string(dim) +
                           " numbers (Dimension = " + std::to_string(dim) +
                           "), or nothing" + decimals_with_a_point);

@@ -5,6 +5,7 @@
 #include <waker/base/choice_parameter.h>
 #include <waker/base/errors.h>
 #include <waker/base/numbers.h>
+#include <waker/base/text.h>
 #include <waker/loads/weight_load.h>
 #include <waker/mapping/stencil.h>
 
@@ -55,7 +56,7 @@ namespace Waker
          {std::make_pair("From", &from), std::make_pair("To", &to)})
       if (values->size() != dim - 1)
         throw UserError(path + entry,
-                        "has " + std::to_string(values->size()) + " numbers",
+                        "has " + counted(values->size(), "number"),
                         std::string(dim == 2 ? "1 number, x"
                                              : "2 numbers, x and z") +
                           " (Dimension = " + std::to_string(dim) + ")" +

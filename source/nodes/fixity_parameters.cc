@@ -5,6 +5,7 @@
 #include <waker/base/choice_parameter.h>
 #include <waker/base/errors.h>
 #include <waker/base/numbers.h>
+#include <waker/base/text.h>
 #include <waker/nodes/fixities.h>
 
 #include <algorithm>
@@ -122,7 +123,7 @@ namespace Waker
     for (const auto *limit : {&from, &to})
       if (limit->size() != dim && !(limit->empty() && !is_box))
         throw UserError(path + (limit == &from ? "From" : "To"),
-                        "has " + std::to_string(limit->size()) + " numbers",
+                        "has " + counted(limit->size(), "number"),
                         per_direction);
     if (!from.empty() && !to.empty())
       for (unsigned int d = 0; d < dim; ++d)

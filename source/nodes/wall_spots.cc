@@ -32,7 +32,7 @@ namespace Waker
           if (numbers.size() != dim)
             throw UserError(path,
                             in_quotes(corner) + " has " +
-                              std::to_string(numbers.size()) + " numbers",
+                              counted(numbers.size(), "number"),
                             allowed + decimals_with_a_point);
           Point<dim> x;
           for (unsigned int d = 0; d < dim; ++d)

@@ -87,7 +87,7 @@ namespace Waker
     for (const auto *limit : {&from, &to})
       if (!limit->empty() && limit->size() != dim)
         throw UserError(path + (limit == &from ? "From" : "To"),
-                        "has " + std::to_string(limit->size()) + " numbers",
+                        "has " + counted(limit->size(), "number"),
                         std::to_string(dim) + " numbers, or nothing" +
                           decimals_with_a_point);
     if (!from.empty() && !to.empty())

@@ -2,6 +2,7 @@
 #include <waker/base/errors.h>
 #include <waker/base/numbers.h>
 #include <waker/base/places.h>
+#include <waker/base/text.h>
 #include <waker/particles/layer.h>
 
 #include <algorithm>
@@ -139,7 +140,7 @@ namespace Waker
           interval(lower[dim - 1], upper[dim - 1]) + ", or nothing";
         if (!extent.empty() && extent.size() != 2)
           throw UserError(layer.path + "/Extent",
-                          "has " + std::to_string(extent.size()) + " numbers",
+                          "has " + counted(extent.size(), "number"),
                           allowed);
         layer.begin = extent.empty() ? lower[dim - 1] : extent[0];
         layer.end   = extent.empty() ? upper[dim - 1] : extent[1];

@@ -3,6 +3,7 @@
 
 #include <waker/base/errors.h>
 #include <waker/base/numbers.h>
+#include <waker/base/text.h>
 #include <waker/particles/point_loads.h>
 #include <waker/particles/polygon.h>
 
@@ -39,7 +40,7 @@ namespace Waker
                              const std::vector<double> &values) {
       if (values.size() != dim)
         throw UserError(path + entry,
-                        "has " + std::to_string(values.size()) + " numbers",
+                        "has " + counted(values.size(), "number"),
                         std::to_string(dim) + " numbers (Dimension = " +
                           std::to_string(dim) + ")" + decimals_with_a_point);
     };

@@ -28,6 +28,8 @@ namespace base_text
     {
       EXPECT_EQ(either({}), "");
       EXPECT_EQ(either({"a"}), "a");
+      EXPECT_EQ(counted(1, "number"), "1 number");
+      EXPECT_EQ(counted(0, "number"), "0 numbers");
       EXPECT_EQ(either({"a", "b"}), "a or b");
       EXPECT_EQ(either({"a", "b", "c"}), "a, b or c");
     }

@@ -29,6 +29,10 @@ namespace Waker
   std::string
   either(const std::vector<std::string> &alternatives);
 
+  /// "1 number", "3 numbers".
+  std::string
+  counted(const std::size_t n, const std::string &noun);
+
   /// Is it UTF-8, without control characters but the tab?
   bool
   is_plain_text(const std::string &text);
