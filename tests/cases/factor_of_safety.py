@@ -24,7 +24,7 @@ FACTORS = {4.75: (1.736, "inner", 1.720),
            None: (1.049, "outer", 1.014)}
 # The level where standard elements lock too much, and the factor with B-bar.
 LOCKED = 3.5
-B_BAR = 1.662
+B_BAR = 1.675
 
 
 def main():

@@ -285,8 +285,8 @@ namespace mechanics_mean_dilatation
         EXPECT_NEAR(share[p], 1., 1e-12);
       EXPECT_EQ(share[crumb], 0.);
 
-      // 11/16 of a cell, and a domain of which 3/4 are in a full cell below.
-      points.volume[crumb] = 0.6875 * std::pow(h, dim);
+      // 7/16 of a cell, and a domain of which 3/4 are in a full cell below.
+      points.volume[crumb] = 0.4375 * std::pow(h, dim);
       share.reinit(points, weights);
       EXPECT_NEAR(share[crumb], 0.5, 1e-12);
       points.volume[crumb] = std::pow(0.5 * h, dim);

@@ -10,8 +10,8 @@
 namespace Waker
 {
   /**
-   * How far B-bar acts on each point: fully in cells that soil fills, not at
-   * all in those of which it fills half or less.
+   * How far B-bar acts on each point: fully in cells that soil fills at
+   * least by half, not at all in those of which it fills a quarter or less.
    *
    * A cell's centre stands for its soil only if the soil is all around it. In
    * a cell with a wedge of soil in a corner, a uniform pressure p in that soil
@@ -21,7 +21,7 @@ namespace Waker
    * hardly any mass. Where the cell is not full nothing locks, either.
    *
    * With f the share of a cell that the support domains' volumes fill,
-   *   share of the cell   b = 4 f - 2, within 0 and 1,
+   *   share of the cell   b = 4 f - 1, within 0 and 1,
    *   share of the point    = 2 B - 1, at least 0,
    * with B the mean of b over the support domain: one that lies in full cells
    * by half or less has no B-bar.
