@@ -4,9 +4,11 @@
 of the dyke of chapter 5 without softening, against slip circles.
 
     /usr/bin/python3 contrib/verification/factor_of_safety.py [--cells 0.25,0.125]
+        [--only B-bar]
 
 Cells of 0.25 m take some minutes, cells of 0.125 m half an hour. Factors that are in
-doc/verification/data/factor_of_safety.csv for other cells stay there.
+doc/verification/data/factor_of_safety.csv for other cells, or without --only's
+volumetric strain, stay there.
 """
 
 import csv
@@ -58,13 +60,24 @@ def factor(work, cell, freeboard, volumetric, modulus, reading):
     return result["factor_of_safety"], failure.get("slope") or ""
 
 
-def known(path, without):
-    """Rows of the table for other cells than these."""
+def option(name, default):
+    """Take a value off the command line."""
+    if name not in sys.argv:
+        return default
+    at = sys.argv.index(name)
+    value = sys.argv[at + 1]
+    del sys.argv[at:at + 2]
+    return value
+
+
+def known(path, cells, kinds):
+    """Rows of the table that are not computed again."""
     if not os.path.exists(path):
         return []
     with open(path, encoding="utf-8") as file:
         return [row for row in csv.DictReader(file)
-                if float(row["cell_m"]) not in without]
+                if not (float(row["cell_m"]) in cells
+                        and row["volumetric"] in kinds)]
 
 
 def draw(rows):
@@ -99,17 +112,14 @@ def draw(rows):
 
 
 def main():
-    cells = [0.25]
-    if "--cells" in sys.argv:
-        at = sys.argv.index("--cells")
-        cells = [float(cell) for cell in sys.argv[at + 1].split(",")]
-        del sys.argv[at:at + 2]
+    cells = [float(cell) for cell in option("--cells", "0.25").split(",")]
+    kinds = option("--only", "standard,B-bar").split(",")
     path = os.path.join(DATA, "factor_of_safety.csv")
-    rows = known(path, cells)
+    rows = known(path, cells, kinds)
     with workspace(__doc__) as work:
         for cell in cells:
             for (volumetric, modulus, reading), shown in VARIANTS.items():
-                if cell not in shown:
+                if cell not in shown or volumetric not in kinds:
                     continue
                 print(f"| H_i − h (m) | circle | h = {cell:g} m, {volumetric}, "
                       f"E = {modulus} kPa, {reading} | difference | slope |\n|---|---|---|---|---|")
