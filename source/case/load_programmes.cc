@@ -225,6 +225,24 @@ namespace Waker
   carried_load(const LoadProgrammeParameters &, const MaterialPoints<2> &);
   template const std::vector<double> &
   carried_load(const LoadProgrammeParameters &, const MaterialPoints<3> &);
+  template <int dim>
+  double
+  LoadProgrammes<dim>::share_lost(const std::size_t          programme,
+                                  const MaterialPoints<dim> &points) const
+  {
+    const LoadProgrammeParameters &p = programmes[programme].parameters();
+    if (!facts_of(p.drives).has_points)
+      return 0.;
+    const double all = p.drives == LoadTarget::weight
+                         ? p.weight.unit_weight * p.weight.area()
+                         : 1.;
+    double       now = 0.;
+    for (const double carried : carried_load(p, points))
+      now += carried;
+    return 1. - now / all;
+  }
+
+
   template class LoadProgrammes<2>;
   template class LoadProgrammes<3>;
 } // namespace Waker

@@ -30,7 +30,9 @@ namespace Waker
   {
     if (!record.is_stopped() && seen.stop > given.stop_above)
       record.stop_time = record.time;
-    record.held = !is_over(record) && record.time >= given.start_time &&
+    // A table does not wait, whatever it is told to watch.
+    record.held = given.kind == LoadProgrammeKind::growth && !is_over(record) &&
+                  record.time >= given.start_time &&
                   seen.hold > given.hold_above;
     if (given.kind == LoadProgrammeKind::table_of_quantity)
       record.next = table.value(seen.table);

@@ -70,6 +70,28 @@ namespace Waker
     }
 
 
+    /// A load that points carry may leave with them.
+    template <int dim>
+    void
+    warn_of_lost_loads(const LoadProgrammes<dim> &programmes,
+                       const State<dim>          &state,
+                       Log                       &log)
+    {
+      for (std::size_t i = 0; i < programmes.list().size(); ++i)
+        {
+          const double lost = programmes.share_lost(i, state.points);
+          if (lost < 1e-3)
+            continue;
+          std::ostringstream text;
+          text.precision(3);
+          text << "load " << programmes.names()[i].name << ": " << 100. * lost
+               << " % of it has left the grid with the soil that carried it; "
+                  "its factor counts all of it";
+          log.warning(text.str());
+        }
+    }
+
+
     template <int dim>
     RunStatus
     loop(const Case<dim>  &the_case,
@@ -125,6 +147,7 @@ namespace Waker
         energy_from_the_mapping(state, the_case.parameters, outcome);
       if (!pumped.empty())
         log.warning(pumped);
+      warn_of_lost_loads(the_case.programmes, state, log);
       recorder.write_summary(state,
                              the_case.programmes.names(),
                              outcome,

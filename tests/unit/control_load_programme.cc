@@ -176,6 +176,20 @@ namespace control_load_programme
   }
 
 
+  TEST(Control, a_table_does_not_wait)
+  {
+    LoadProgrammeParameters p =
+      table_of(LoadProgrammeKind::table_of_time, "0: 0, 1: 2");
+    p.held_by    = Watched::largest_settlement_rate;
+    p.hold_above = 0.05;
+    Load load(p);
+    load.step(0.5, 1., 0.);
+    EXPECT_FALSE(load.record.held);
+    EXPECT_EQ(load.record.held_for, 0.);
+    EXPECT_DOUBLE_EQ(load.record.factor, 1.);
+  }
+
+
   TEST(Control, tables_of_time_and_of_a_quantity)
   {
     Load by_time(table_of(LoadProgrammeKind::table_of_time,

@@ -119,6 +119,31 @@ namespace simulation_load_programmes
   }
 
 
+  // The factor counts what was built up, also where it has left with its
+  // points.
+  TEST(Simulation, a_load_knows_how_much_of_it_has_left)
+  {
+    LoadedColumn column =
+      loaded_statically(LoadedPoints::top, LoadMass::weight_alone);
+    const LoadProgrammes<2> programmes(column.parameters);
+    MaterialPoints<2>      &points = column.state.points;
+    EXPECT_NEAR(programmes.share_lost(0, points), 0., 1e-12);
+    // The column is 2 m wide; as if its left half had gone.
+    double first = points.position[0][0], last = first;
+    for (const Point<2> &x : points.position)
+      {
+        first = std::min(first, x[0]);
+        last  = std::max(last, x[0]);
+      }
+    std::vector<double> &carried =
+      points.scalar("programme_" + column.load().name);
+    for (std::size_t p = 0; p < points.n_points(); ++p)
+      if (points.position[p][0] < 0.5 * (first + last))
+        carried[p] = 0.;
+    EXPECT_NEAR(programmes.share_lost(0, points), 0.5, 1e-12);
+  }
+
+
   // The work of a load that grows, and the energy that mass brings along: what
   // is left is the method's, and falls with the step.
   TEST(Simulation, the_energy_account_closes_under_a_growing_weight)

@@ -83,6 +83,12 @@ namespace Waker
     std::string
     changing_after(const double time) const;
 
+    /// Share (-) of a programme's load whose points have left the grid: its
+    /// factor goes on counting all of it. 0 for what no points carry.
+    double
+    share_lost(const std::size_t          programme,
+               const MaterialPoints<dim> &points) const;
+
   private:
     void
     add_mass(const LoadProgrammeParameters &programme,
