@@ -255,8 +255,13 @@ namespace Waker
             text += line("  inner", e.inner_slides);
             text += line("  outer", e.outer_slides);
           }
-        text += line("P(F)", e.by_any.flooding);
-        text += line("P(F|S1)", e.by_any.flooding_given);
+        // Without a level nothing can flood.
+        const bool may_flood = std::isfinite(scenario.info->water_level);
+        if (may_flood)
+          {
+            text += line("P(F)", e.by_any.flooding);
+            text += line("P(F|S1)", e.by_any.flooding_given);
+          }
         for (const ClassCount &c : count_classes(*scenario.records,
                                                  scenario.slides,
                                                  scenario.info->base_level))
@@ -281,11 +286,15 @@ namespace Waker
         left_out(e.n_stopped_by_box, "held by a side of the box");
         if (lost + e.n_not_final > 0)
           {
-            text += "\n  if all of these had failed and flooded:";
+            text += may_flood ? "\n  if all of these had failed and flooded:"
+                              : "\n  if all of these had failed:";
             text += line("P(S1)", e.if_all_failed.initial);
-            text += line("P(F)", e.if_all_failed.flooding);
+            if (may_flood)
+              text += line("P(F)", e.if_all_failed.flooding);
           }
-        if (!distribution)
+        if (!may_flood)
+          text += "\n  no water level: nothing can flood";
+        if (!distribution && may_flood)
           text +=
             risk_text(assess_risk(flooding_of(scenario), parameters.risk));
       }

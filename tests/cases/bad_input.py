@@ -376,7 +376,7 @@ def tractions(cases):
     traction("no such method", "Method", "surface", '"surface"')
     traction("file for contour", "Surface file", "open.txt", "contour")
     traction("two pressures", "Value", "1; 2", "2 numbers")
-    traction("vector", "Value", "1", "1 numbers", "Tractions/load/Kind=vector")
+    traction("vector", "Value", "1", "1 number", "Tractions/load/Kind=vector")
     traction("no expression", "Value", "1 +", "cannot be read")
     traction("comma", "Value", "0,25", "a comma")
     hydrostatic = "Tractions/load/Kind=hydrostatic"
@@ -416,7 +416,7 @@ def other_loads(cases):
           ["run", good, *POINT_LOAD, *sets("Point loads/p/Force=0, 1",
                                            "Point loads/p/From=-5, 3",
                                            "Point loads/p/To=-4, 4")])
-    check("point load", "^--set Point loads/p/Force", "1 numbers",
+    check("point load", "^--set Point loads/p/Force", "1 number",
           ["run", good, *POINT_LOAD, *sets("Point loads/p/Force=1",
                                            "Point loads/p/From=-5, 3")])
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <gtest/gtest.h>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -388,6 +389,24 @@ namespace statistics_report
     EXPECT_NE(budget.find("budget of macro-instability, 0.02: met"),
               std::string::npos)
       << budget;
+  }
+
+
+  TEST(Report, text_without_water_has_no_floods)
+  {
+    Campaign c = make_campaign();
+    for (Record &record : c.records[0])
+      record = Record();
+    for (ScenarioInfo &scenario : c.info.scenarios)
+      scenario.water_level = std::numeric_limits<double>::quiet_NaN();
+    c.info.swept_parameter.clear();
+    c.info.scenarios.resize(1);
+    c.records.resize(1);
+    const std::string text =
+      report_text(c.info, c.records, AnalysisParameters());
+    EXPECT_NE(text.find("P(S1)"), std::string::npos) << text;
+    EXPECT_EQ(text.find("P(F)"), std::string::npos) << text;
+    EXPECT_NE(text.find("nothing can flood"), std::string::npos) << text;
   }
 
 
