@@ -199,7 +199,8 @@ namespace Waker
                           ? 0.
                           : gravity_report.residuals.back())
                     << ", above Gravity/Tolerance "
-                    << parameters.gravity.tolerance;
+                    << parameters.gravity.tolerance
+                    << ": is the body held, and no Poisson's ratio above 0.49?";
             throw NumericalFailure(message.str());
           }
         scene.nodes.external_force = full; // the rest acts from now on

@@ -62,9 +62,18 @@ namespace Waker
     sizes.steps = std::ceil(time.end_time / sizes.time_step * (1. - 1e-12));
 
     // Microseconds per point and step: see doc/verification/performance.md. A
-    // quasi-static step factorises a matrix in each iteration.
-    const double per_step = factorises(time) ? 30. : dim == 2 ? 0.4 : 2.;
-    sizes.computing       = 1e-6 * per_step * n_points * sizes.steps;
+    // quasi-static step factorises a matrix in each iteration; the contour of
+    // boxes in space, where they no longer lie in rows, costs more than all
+    // else.
+    double per_step = factorises(time) ? 30. : dim == 2 ? 0.4 : 2.;
+    if (parameters.mapping.volumetric_strain == VolumetricStrain::b_bar &&
+        dim == 2)
+      per_step *= 1.6;
+    const SurfaceParameters &surface = parameters.surface;
+    if (dim == 3 && !surface.prismatic &&
+        surface.method == SurfaceMethod::contour)
+      per_step += 30.;
+    sizes.computing = 1e-6 * per_step * n_points * sizes.steps;
 
     const double per_point =
       8. * (4 + 7 * dim + 2 * 6 + 8 + 6 * dim) +

@@ -140,7 +140,18 @@ namespace Waker
       throw UserError(path() + "Table",
                       std::string("is empty, but Kind is ") + name_of(kind),
                       allowed);
-    const TimeFunction function(table, path() + "Table");
+    const TimeFunction function = [&] {
+      try
+        {
+          return TimeFunction(table, path() + "Table");
+        }
+      catch (const UserError &error)
+        {
+          throw UserError(error.where,
+                          error.problem,
+                          std::string(allowed) + " with ascending q");
+        }
+    }();
     if (!function.moves() || function.last_change() == LastChange::unknown)
       throw UserError(path() + "Table",
                       "is \"" + tidy(table) + "\", which is no table",

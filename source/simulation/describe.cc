@@ -135,7 +135,7 @@ namespace Waker
           force << (d > 0 ? ", " : "") << initial.force[d];
         const bool rides = traction.goes_with_soil();
         say(log,
-            "  traction  %s: %s on %s, (%s) kN on %.4g %s, %s",
+            "  traction  %s: %s on %s, at first (%s) kN on %.4g %s, %s",
             traction.name.c_str(),
             name_of(traction.kind),
             name_of(traction.method),
@@ -177,7 +177,8 @@ namespace Waker
           the_case.gravity_report.residuals.back());
     const RunSizes sizes = run_sizes(the_case);
     log.line("  effort    up to " + count_text(sizes.steps) + " steps: about " +
-             rough_duration_text(sizes.computing) + " of computing, " +
+             rough_duration_text(sizes.computing) +
+             " of computing, several times that where soil flows, " +
              bytes_text(sizes.memory) + " of memory, " +
              bytes_text(sizes.disk) + " of files");
     for (const std::string &text : strange_things(the_case))

@@ -6,6 +6,7 @@
 #include <waker/simulation/plausibility.h>
 
 #include "plausible_ranges.h"
+#include <cmath>
 #include <sstream>
 
 namespace Waker
@@ -52,6 +53,19 @@ namespace Waker
                     "Water/Unit weight",
                     "Side = none",
                     warnings);
+      if (p.surface.method == SurfaceMethod::contour &&
+          !std::isnan(p.water.level) &&
+          p.initial_failure.limits.width_change < p.grid.cell_size)
+        {
+          std::ostringstream text;
+          text << "Initial failure/Width change: "
+               << p.initial_failure.limits.width_change
+               << " m, but on the contour the width moves in steps of up to a "
+                  "cell, "
+               << p.grid.cell_size
+               << " m, where a support domain passes the level";
+          warnings.push_back(text.str());
+        }
       if (p.water.stands() && p.water.minimum_support < 1e-3)
         {
           std::ostringstream text;
