@@ -91,12 +91,12 @@ namespace WakerBenchmarks
     void
     time_stress(benchmark::State &timer, Moment<dim> &m)
     {
+      m.stress_update.begin(m.points, m.scene.weights);
       for (auto _ : timer)
-        m.stress_update.begin(m.points, m.scene.weights);
-      m.stress_update.evaluate(m.points,
-                               m.scene.weights,
-                               m.scene.nodes.increment,
-                               m.scene.nodes.internal_force);
+        m.stress_update.evaluate(m.points,
+                                 m.scene.weights,
+                                 m.scene.nodes.increment,
+                                 m.scene.nodes.internal_force);
     }
 
 

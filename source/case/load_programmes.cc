@@ -221,10 +221,6 @@ namespace Waker
   }
 
 
-  template const std::vector<double> &
-  carried_load(const LoadProgrammeParameters &, const MaterialPoints<2> &);
-  template const std::vector<double> &
-  carried_load(const LoadProgrammeParameters &, const MaterialPoints<3> &);
   template <int dim>
   double
   LoadProgrammes<dim>::share_lost(const std::size_t          programme,
@@ -243,6 +239,10 @@ namespace Waker
   }
 
 
+  template const std::vector<double> &
+  carried_load(const LoadProgrammeParameters &, const MaterialPoints<2> &);
+  template const std::vector<double> &
+  carried_load(const LoadProgrammeParameters &, const MaterialPoints<3> &);
   template class LoadProgrammes<2>;
   template class LoadProgrammes<3>;
 } // namespace Waker

@@ -65,11 +65,13 @@ namespace Waker
     // quasi-static step factorises a matrix in each iteration; the contour of
     // boxes in space, where they no longer lie in rows, costs more than all
     // else.
-    double per_step = factorises(time) ? 30. : dim == 2 ? 0.4 : 2.;
-    if (parameters.mapping.volumetric_strain == VolumetricStrain::b_bar &&
-        dim == 2)
-      per_step *= 1.6;
-    const SurfaceParameters &surface = parameters.surface;
+    // In 3D it is that with B-bar.
+    const bool b_bar =
+      parameters.mapping.volumetric_strain == VolumetricStrain::b_bar;
+    double                   per_step = factorises(time) ? 30.
+                                        : dim == 2       ? (b_bar ? 0.64 : 0.4)
+                                                         : 2.;
+    const SurfaceParameters &surface  = parameters.surface;
     if (dim == 3 && !surface.prismatic &&
         surface.method == SurfaceMethod::contour)
       per_step += 30.;

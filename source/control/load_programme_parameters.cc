@@ -149,7 +149,8 @@ namespace Waker
         {
           throw UserError(error.where,
                           error.problem,
-                          std::string(allowed) + " with ascending q");
+                          std::string(allowed) + ", with ascending q" +
+                            decimals_with_a_point);
         }
     }();
     if (!function.moves() || function.last_change() == LastChange::unknown)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/mechanics/double_mapped_tangent.h>
+#include <waker/mechanics/filled_cells.h>
 
 #include <algorithm>
 #include <array>
@@ -103,7 +104,8 @@ namespace Waker
 
       struct Element
       {
-        unsigned int node; // lower left
+        unsigned int node;  // lower left
+        double       share; // of its volume with soil, then of B-bar
         /// First the sums over points at the nodes, then the values at the
         /// Gauss points times their weight (kN m^(dim-2)).
         double D[n_gauss][n][n];
@@ -113,6 +115,7 @@ namespace Waker
       static void
       strain_of(const double (&H)[dim][dim],
                 const double centre_dilatation,
+                const double share,
                 double (&e)[n])
       {
         constexpr auto indices = component_indices<n>();
@@ -122,7 +125,7 @@ namespace Waker
             d = centre_dilatation;
             for (unsigned int c = 0; c < dim; ++c)
               d -= H[c][c];
-            d /= 3.;
+            d *= share / 3.;
           }
         for (unsigned int a = 0; a < n; ++a)
           {
@@ -149,7 +152,8 @@ namespace Waker
       const Weights<dim>                       &weights,
       const MaterialPoints<dim>                &points)
     {
-      const double h = weights.background_grid().cell_size();
+      const double h    = weights.background_grid().cell_size();
+      const double full = std::pow(h, dim);
       for (const Element &element : elements)
         element_of_cell[element.node] = -1;
       elements.clear();
@@ -189,10 +193,15 @@ namespace Waker
                 {
                   number = elements.size();
                   elements.emplace_back();
-                  elements.back().node = node;
+                  elements.back().node  = node;
+                  elements.back().share = 0.;
                   std::fill_n(&elements.back().D[0][0][0], n_gauss * n * n, 0.);
                 }
               Element &element = elements[number];
+              double   volume  = points.volume[p];
+              for (unsigned int d = 0; d < dim; ++d)
+                volume *= std::abs(w.gradient[d][2 * (cell >> d & 1)]) * h;
+              element.share += volume / full;
               for (unsigned int v = 0; v < n_vertices; ++v)
                 {
                   double share = 1.;
@@ -208,19 +217,22 @@ namespace Waker
       // Nodes to Gauss points. D_i carries n / V_e, a Gauss weight V_e / n:
       // they cancel.
       for (Element &element : elements)
-        for (unsigned int a = 0; a < n; ++a)
-          for (unsigned int b = 0; b < n; ++b)
-            {
-              double gauss[n_gauss];
-              for (unsigned int g = 0; g < n_gauss; ++g)
-                {
-                  gauss[g] = 0.;
-                  for (unsigned int v = 0; v < n_vertices; ++v)
-                    gauss[g] += shape_values[g][v] * element.D[v][a][b];
-                }
-              for (unsigned int g = 0; g < n_gauss; ++g)
-                element.D[g][a][b] = gauss[g];
-            }
+        {
+          element.share = FilledCells<dim>::share_of_cell(element.share);
+          for (unsigned int a = 0; a < n; ++a)
+            for (unsigned int b = 0; b < n; ++b)
+              {
+                double gauss[n_gauss];
+                for (unsigned int g = 0; g < n_gauss; ++g)
+                  {
+                    gauss[g] = 0.;
+                    for (unsigned int v = 0; v < n_vertices; ++v)
+                      gauss[g] += shape_values[g][v] * element.D[v][a][b];
+                  }
+                for (unsigned int g = 0; g < n_gauss; ++g)
+                  element.D[g][a][b] = gauss[g];
+              }
+        }
     }
 
 
@@ -246,7 +258,7 @@ namespace Waker
                     H[c][d] += u[dim * (element.node + vertex_offsets[v]) + c] *
                                shape_gradients[g][v][d];
               double strain[n];
-              strain_of(H, centre, strain);
+              strain_of(H, centre, element.share, strain);
               double P[3][3], q = 0.;
               for (unsigned int a = 0; a < n; ++a)
                 {
@@ -256,7 +268,7 @@ namespace Waker
                   P[indices[a][0]][indices[a][1]] = s;
                   P[indices[a][1]][indices[a][0]] = s;
                   if (mean && indices[a][0] == indices[a][1])
-                    q += s / 3.;
+                    q += element.share * s / 3.;
                 }
               for (unsigned int v = 0; v < n_vertices; ++v)
                 for (unsigned int c = 0; c < dim; ++c)
@@ -287,7 +299,7 @@ namespace Waker
                 for (unsigned int d = 0; d < dim; ++d)
                   H[c][d] = shape_gradients[g][v][d];
                 double strain[n];
-                strain_of(H, centre_gradients[v][c], strain);
+                strain_of(H, centre_gradients[v][c], element.share, strain);
                 double sum = 0.;
                 for (unsigned int a = 0; a < n; ++a)
                   for (unsigned int b = 0; b < n; ++b)

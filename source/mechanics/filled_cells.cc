@@ -61,7 +61,7 @@ namespace Waker
 
     const double full = std::pow(grid.cell_size(), dim);
     for (double &cell : cells)
-      cell = std::clamp(4. * cell / full - 1., 0., 1.);
+      cell = share_of_cell(cell / full);
 
     shares.resize(points.n_points());
     for (std::size_t p = 0; p < points.n_points(); ++p)

@@ -106,6 +106,8 @@ namespace Waker
     const Weights<dim>        &weights,
     NodalVector               &force) const
   {
+    AssertThrow(shares.size() == points.n_points(),
+                ExcMessage("start() comes before add_force_of_stress()"));
     const CentreStencil<dim> stencil(weights.background_grid());
     for (std::size_t p = 0; p < points.n_points(); ++p)
       scatter_stress(stencil,

@@ -53,6 +53,23 @@ namespace Waker
                     "Water/Unit weight",
                     "Side = none",
                     warnings);
+      warn_unused(!p.gravity.initial_stress && p.gravity.initial_share != 1.,
+                  "Gravity/Initial share",
+                  "Initial stress = false",
+                  warnings);
+      const TimeParameters usual;
+      warn_unused(scheme_traits(p.time).is_implicit &&
+                    p.time.courant_number != usual.courant_number,
+                  "Time stepping/Courant number",
+                  std::string("Scheme = ") + name_of(p.time.scheme),
+                  warnings);
+    }
+
+
+    /// Legal, and apt to give a failure that is none.
+    void
+    check_water(const Parameters &p, std::vector<std::string> &warnings)
+    {
       if (p.surface.method == SurfaceMethod::contour &&
           !std::isnan(p.water.level) &&
           p.initial_failure.limits.width_change < p.grid.cell_size)
@@ -76,16 +93,6 @@ namespace Waker
                   "dyke seem to fail";
           warnings.push_back(text.str());
         }
-      warn_unused(!p.gravity.initial_stress && p.gravity.initial_share != 1.,
-                  "Gravity/Initial share",
-                  "Initial stress = false",
-                  warnings);
-      const TimeParameters usual;
-      warn_unused(scheme_traits(p.time).is_implicit &&
-                    p.time.courant_number != usual.courant_number,
-                  "Time stepping/Courant number",
-                  std::string("Scheme = ") + name_of(p.time.scheme),
-                  warnings);
     }
 
 
@@ -150,6 +157,7 @@ namespace Waker
                          "will be coarse; 2 is usual");
 
     check_unused(p, warnings);
+    check_water(p, warnings);
     for (const std::string &text : unused_in_load_programmes(p))
       warnings.push_back(text);
 

@@ -450,6 +450,8 @@ def load_programmes(cases):
         ("Drives", "water")])
     programme("Hold above", "is 0", [("Held by", "largest settlement rate")])
     programme("Table", "no table", [("Kind", "table of time"), ("Table", "2*t")])
+    programme("Table", "with ascending q",
+              [("Kind", "table of a quantity"), ("Table", "3: 0, 1: 5")])
 
 
 def walls_and_flow(cases):

@@ -297,6 +297,44 @@ namespace mechanics_mean_dilatation
     }
 
 
+    /// The tests of forces and tangents need points with a part of B-bar.
+    template <int dim>
+    void
+    check_shares_between(const ShapeFunctions functions)
+    {
+      const Body<dim>  body(functions, 0.3);
+      FilledCells<dim> share;
+      share.reinit(body.points, body.weights);
+      unsigned int between = 0, full = 0;
+      for (std::size_t p = 0; p < share.size(); ++p)
+        {
+          between += share[p] > 0.01 && share[p] < 0.99;
+          full += share[p] == 1.;
+        }
+      EXPECT_GT(between, 2u);
+      EXPECT_GT(full, 2u);
+    }
+
+
+    /// At the upper corner of the grid stencils are moved by a node.
+    template <int dim>
+    void
+    check_shares_in_the_corner(const ShapeFunctions functions)
+    {
+      const BackgroundGrid<dim> grid(Lattice::grid<dim>(1.5, h));
+      Weights<dim>              weights(grid, functions);
+      Point<dim>                x;
+      for (unsigned int d = 0; d < dim; ++d)
+        x[d] = grid.origin()[d] + (grid.n_nodes_per_direction()[d] - 1 - 2) * h;
+      const MaterialPoints<dim> points = Lattice::box(x, 4, 0.5 * h);
+      FilledCells<dim>          share;
+      weights.reinit(points);
+      share.reinit(points, weights);
+      for (std::size_t p = 0; p < points.n_points(); ++p)
+        EXPECT_NEAR(share[p], 1., 1e-12);
+    }
+
+
     /// A uniform pressure pushes on the nodes of a crumb as it does with the
     /// standard gradients: the surface's integral of S_i n, which is what water
     /// in front of it gives back.
@@ -396,6 +434,13 @@ namespace mechanics_mean_dilatation
   {
     check_shares<2>();
     check_shares<3>();
+    for (const auto functions : {ShapeFunctions::gimp, ShapeFunctions::linear})
+      {
+        check_shares_between<2>(functions);
+        check_shares_between<3>(functions);
+        check_shares_in_the_corner<2>(functions);
+        check_shares_in_the_corner<3>(functions);
+      }
   }
 
 

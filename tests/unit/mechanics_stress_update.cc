@@ -141,6 +141,7 @@ namespace mechanics_stress_update
       const auto  untouched = points;
       NodalVector other     = u;
       other *= -3.;
+      EXPECT_THROW(update.evaluate(points, weights, u, force), std::exception);
       update.begin(points, weights);
       for (const NodalVector *field : {&u, &other, &u})
         update.evaluate(points, weights, *field, force);

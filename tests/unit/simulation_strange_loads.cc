@@ -47,6 +47,30 @@ namespace simulation_strange_loads
   } // namespace
 
 
+  TEST(StrangeLoads, water_on_nodes_without_soil)
+  {
+    const auto of = [](const std::string       &what,
+                       std::vector<std::string> settings) {
+      const auto    input = RandomDyke::coarse(std::move(settings));
+      const Case<2> the_case(input->simulation, MPI_COMM_SELF);
+      unsigned int  n = 0;
+      for (const std::string &warning : strange_things(the_case))
+        n += warning.find(what) == 0;
+      return n;
+    };
+    const std::string support = "Water/Minimum support";
+    EXPECT_EQ(of(support, {support + "=0"}), 1u);
+    EXPECT_EQ(of(support, {support + "=0.001"}), 0u);
+    EXPECT_EQ(of(support, {support + "=0", "Water/Side=none"}), 0u);
+
+    // The coarse dyke has cells of 0.5 m.
+    const std::string width = "Initial failure/Width change";
+    EXPECT_EQ(of(width, {"Surface/Method=contour", width + "=0.49"}), 1u);
+    EXPECT_EQ(of(width, {"Surface/Method=contour", width + "=0.5"}), 0u);
+    EXPECT_EQ(of(width, {width + "=0.49"}), 0u);
+  }
+
+
   TEST(StrangeLoads, above_1000_kPa)
   {
     EXPECT_TRUE(with_traction("15").empty());

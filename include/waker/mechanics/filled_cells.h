@@ -5,13 +5,14 @@
 #include <waker/mapping/weights.h>
 #include <waker/particles/material_points.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace Waker
 {
   /**
    * How far B-bar acts on each point: fully in cells that soil fills at
-   * least by half, not at all in those of which it fills a quarter or less.
+   * least by half, not at all in those of which it fills three eighths or less.
    *
    * A cell's centre stands for its soil only if the soil is all around it. In
    * a cell with a wedge of soil in a corner, a uniform pressure p in that soil
@@ -23,8 +24,8 @@ namespace Waker
    * With f the share of a cell that the support domains' volumes fill,
    *   share of the cell   b = 4 f - 1, within 0 and 1,
    *   share of the point    = 2 B - 1, at least 0,
-   * with B the mean of b over the support domain: one that lies in full cells
-   * by half or less has no B-bar.
+   * with B the mean of b over the support domain: one of which half or more
+   * lies in cells without B-bar has none.
    */
   template <int dim>
   class FilledCells
@@ -33,6 +34,19 @@ namespace Waker
     /// Find the shares for the points as they lie.
     void
     reinit(const MaterialPoints<dim> &points, const Weights<dim> &weights);
+
+    /// Share of B-bar of a cell of which soil fills a share.
+    static double
+    share_of_cell(const double filled)
+    {
+      return std::clamp(4. * filled - 1., 0., 1.);
+    }
+
+    std::size_t
+    size() const
+    {
+      return shares.size();
+    }
 
     /// Share of B-bar of point p, 0 to 1.
     double

@@ -10,8 +10,9 @@
 namespace Waker
 {
   /**
-   * The gradient of u and the correction d of its dilatation; V stress, of
-   * which each component in the plane is there once, and V p.
+   * The gradient of u and the correction d of its dilatation where B-bar acts
+   * fully; V stress, of which each component in the plane is there once, and
+   * V b p. The shares b of B-bar are in the derivatives.
    */
   struct MeanDilatationLayout
   {
