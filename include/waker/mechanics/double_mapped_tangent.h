@@ -22,8 +22,8 @@ namespace Waker
    * filled share in others, and blind to cell crossings; but not the derivative
    * of the internal force: Newton converges linearly with it. If the points'
    * dilatation is that of the cells' centres (MeanDilatationMotion), B_g has
-   * the element's, too (Hughes 1980), with a full row zz in plane strain, by the
-   * cell's share of B-bar (FilledCells).
+   * the element's, too (Hughes 1980), with a full row zz in plane strain, by
+   * the cell's share of B-bar (FilledCells).
    */
   template <int dim>
   class DoubleMappedTangent : public Operator
