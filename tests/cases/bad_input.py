@@ -450,7 +450,7 @@ def load_programmes(cases):
         ("Drives", "water")])
     programme("Hold above", "is 0", [("Held by", "largest settlement rate")])
     programme("Table", "no table", [("Kind", "table of time"), ("Table", "2*t")])
-    programme("Table", "with ascending q",
+    programme("Table", "does not come after",
               [("Kind", "table of a quantity"), ("Table", "3: 0, 1: 5")])
 
 
