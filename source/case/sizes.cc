@@ -67,7 +67,7 @@ namespace Waker
     // else.
     // In 3D it is that with B-bar.
     const bool b_bar =
-      parameters.mapping.volumetric_strain == VolumetricStrain::b_bar;
+      parameters.mapping.volumetric_strain != VolumetricStrain::standard;
     double                   per_step = factorises(time) ? 30.
                                         : dim == 2       ? (b_bar ? 0.64 : 0.4)
                                                          : 2.;

@@ -52,8 +52,9 @@ namespace Waker
     class Q1Tangents : public ElementTangents<dim>
     {
     public:
-      explicit Q1Tangents(const BackgroundGrid<dim> &grid)
-        : element_of_cell(grid.n_nodes(), -1)
+      Q1Tangents(const BackgroundGrid<dim> &grid, const BBarCells cells)
+        : b_bar_cells(cells)
+        , element_of_cell(grid.n_nodes(), -1)
       {
         const double xi[2] = {0.5 - 0.5 / std::sqrt(3.),
                               0.5 + 0.5 / std::sqrt(3.)};
@@ -134,6 +135,7 @@ namespace Waker
           }
       }
 
+      BBarCells            b_bar_cells;
       std::vector<int>     element_of_cell; // by lower left node
       std::vector<Element> elements;        // the active ones
       /// N_i at the Gauss points, and their gradients there and at the centre
@@ -218,7 +220,8 @@ namespace Waker
       // they cancel.
       for (Element &element : elements)
         {
-          element.share = FilledCells<dim>::share_of_cell(element.share);
+          element.share =
+            FilledCells<dim>::share_of_cell(element.share, b_bar_cells);
           for (unsigned int a = 0; a < n; ++a)
             for (unsigned int b = 0; b < n; ++b)
               {
@@ -315,8 +318,10 @@ namespace Waker
                           const BackgroundGrid<dim> &grid)
     {
       if (motion.has_mean_dilatation())
-        return std::make_unique<Q1Tangents<dim, dim == 2 ? 4 : 6, true>>(grid);
-      return std::make_unique<Q1Tangents<dim, dim *(dim + 1) / 2, false>>(grid);
+        return std::make_unique<Q1Tangents<dim, dim == 2 ? 4 : 6, true>>(
+          grid, motion.b_bar_cells());
+      return std::make_unique<Q1Tangents<dim, dim *(dim + 1) / 2, false>>(
+        grid, motion.b_bar_cells());
     }
   } // namespace
 

@@ -50,6 +50,11 @@ namespace Waker
   FilledCells<dim>::reinit(const MaterialPoints<dim> &points,
                            const Weights<dim>        &weights)
   {
+    if (which == BBarCells::all)
+      {
+        shares.assign(points.n_points(), 1.);
+        return;
+      }
     const BackgroundGrid<dim> &grid = weights.background_grid();
     cells.assign(grid.n_nodes(), 0.);
     for (std::size_t p = 0; p < points.n_points(); ++p)
@@ -61,7 +66,7 @@ namespace Waker
 
     const double full = std::pow(grid.cell_size(), dim);
     for (double &cell : cells)
-      cell = share_of_cell(cell / full);
+      cell = share_of_cell(cell / full, which);
 
     shares.resize(points.n_points());
     for (std::size_t p = 0; p < points.n_points(); ++p)

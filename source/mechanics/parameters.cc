@@ -224,7 +224,9 @@ namespace Waker
                "standard: the dilatation at the point. B-bar: that of "
                "the cells' centres, averaged over the support domain, "
                "in cells that soil fills, so that nearly incompressible "
-               "soil does not lock (not with Strain = logarithmic).");
+               "soil does not lock. B-bar in all cells: also where soil "
+               "hardly fills them, as the thesis; not for soil under water. "
+               "(Neither with Strain = logarithmic.)");
     add_choice(prm,
                "Domains",
                domains,
@@ -249,7 +251,7 @@ namespace Waker
                       "is stretched, but the deformation is only followed with "
                       "logarithmic strain",
                       "constant, or Strain = logarithmic");
-    if (volumetric_strain == VolumetricStrain::b_bar &&
+    if (volumetric_strain != VolumetricStrain::standard &&
         strain == StrainMeasure::logarithmic)
       throw UserError("Kinematics and mapping/Volumetric strain",
                       "is B-bar, which is made for the strain of each step, "

@@ -17,6 +17,9 @@ namespace Waker
             return std::make_unique<StepMotion<dim>>(objective);
           case VolumetricStrain::b_bar:
             return std::make_unique<MeanDilatationMotion<dim>>(objective);
+          case VolumetricStrain::b_bar_everywhere:
+            return std::make_unique<MeanDilatationMotion<dim>>(objective,
+                                                               BBarCells::all);
         }
       AssertThrow(false, ExcInternalError());
       return nullptr;

@@ -94,7 +94,7 @@ namespace base_choice
     check_names<Scheme>(3);
     check_names<Tangent>(2);
     check_names<StrainMeasure>(2);
-    check_names<VolumetricStrain>(2);
+    check_names<VolumetricStrain>(3);
     check_names<SupportDomains>(2);
     check_names<ShapeFunctions>(2);
     check_names<Placement>(3);

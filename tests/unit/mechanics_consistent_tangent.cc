@@ -231,8 +231,9 @@ namespace mechanics_consistent_tangent
   {
     for (const auto functions : {ShapeFunctions::gimp, ShapeFunctions::linear})
       for (const bool objective : {true, false})
-        for (const auto volumetric :
-             {VolumetricStrain::standard, VolumetricStrain::b_bar})
+        for (const auto volumetric : {VolumetricStrain::standard,
+                                      VolumetricStrain::b_bar,
+                                      VolumetricStrain::b_bar_everywhere})
           {
             MappingParameters mapping;
             mapping.objective_rate    = objective;

@@ -284,6 +284,9 @@ namespace mechanics_mean_dilatation
       for (std::size_t p = 0; p < crumb; ++p)
         EXPECT_NEAR(share[p], 1., 1e-12);
       EXPECT_EQ(share[crumb], 0.);
+      FilledCells<dim> all(BBarCells::all);
+      all.reinit(points, weights);
+      EXPECT_EQ(all[crumb], 1.);
 
       // 7/16 of a cell, and a domain of which 3/4 are in a full cell below.
       points.volume[crumb] = 0.4375 * std::pow(h, dim);
@@ -356,6 +359,14 @@ namespace mechanics_mean_dilatation
       const double size = standard.linfty_norm();
       b_bar -= standard;
       EXPECT_LT(b_bar.linfty_norm(), 1e-12 * size);
+
+      // In all cells it is not.
+      MeanDilatationMotion<dim> thesis(false, BBarCells::all);
+      thesis.start(points, weights);
+      b_bar = 0.;
+      thesis.add_force_of_stress(points, weights, b_bar);
+      b_bar -= standard;
+      EXPECT_GT(b_bar.linfty_norm(), 0.01 * size);
     }
 
 

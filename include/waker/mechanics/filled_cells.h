@@ -10,6 +10,14 @@
 
 namespace Waker
 {
+  /// Where B-bar acts.
+  enum class BBarCells
+  {
+    filled, // see FilledCells
+    all
+  };
+
+
   /**
    * How far B-bar acts on each point: fully in cells that soil fills at
    * least by half, not at all in those of which it fills three eighths or less.
@@ -31,15 +39,20 @@ namespace Waker
   class FilledCells
   {
   public:
+    explicit FilledCells(const BBarCells cells = BBarCells::filled)
+      : which(cells)
+    {}
+
     /// Find the shares for the points as they lie.
     void
     reinit(const MaterialPoints<dim> &points, const Weights<dim> &weights);
 
     /// Share of B-bar of a cell of which soil fills a share.
     static double
-    share_of_cell(const double filled)
+    share_of_cell(const double filled, const BBarCells which)
     {
-      return std::clamp(4. * filled - 1., 0., 1.);
+      return which == BBarCells::all ? 1.
+                                     : std::clamp(4. * filled - 1., 0., 1.);
     }
 
     std::size_t
@@ -56,6 +69,7 @@ namespace Waker
     }
 
   private:
+    BBarCells           which;
     std::vector<double> cells; // by their lowest node: volume (m^dim), then b
     std::vector<double> shares;
   };

@@ -184,8 +184,9 @@ namespace Waker
   /// Where the dilatation of a point comes from.
   enum class VolumetricStrain
   {
-    standard, // the point
-    b_bar     // the cells' centres
+    standard,        // the point
+    b_bar,           // the cells' centres, where soil fills them
+    b_bar_everywhere // the cells' centres
   };
 
   constexpr const char *
@@ -197,6 +198,8 @@ namespace Waker
           return "standard";
         case VolumetricStrain::b_bar:
           return "B-bar";
+        case VolumetricStrain::b_bar_everywhere:
+          return "B-bar in all cells";
       }
     return nullptr;
   }

@@ -4,6 +4,7 @@
 
 #include <waker/mapping/weights.h>
 #include <waker/materials/material.h>
+#include <waker/mechanics/filled_cells.h>
 #include <waker/mechanics/parameters.h>
 #include <waker/nodes/nodal_vector.h>
 #include <waker/particles/material_points.h>
@@ -139,6 +140,13 @@ namespace Waker
     has_mean_dilatation() const
     {
       return false;
+    }
+
+    /// In which of them, if it is.
+    virtual BBarCells
+    b_bar_cells() const
+    {
+      return BBarCells::filled;
     }
   };
 

@@ -99,7 +99,12 @@ namespace Waker
   class MeanDilatationMotion : public StepMotion<dim>
   {
   public:
-    using StepMotion<dim>::StepMotion;
+    explicit MeanDilatationMotion(const bool      objective,
+                                  const BBarCells cells = BBarCells::filled)
+      : StepMotion<dim>(objective)
+      , cells(cells)
+      , shares(cells)
+    {}
 
     void
     start(const MaterialPoints<dim> &points,
@@ -159,7 +164,14 @@ namespace Waker
       return true;
     }
 
+    BBarCells
+    b_bar_cells() const override
+    {
+      return cells;
+    }
+
   private:
+    BBarCells cells;
     std::vector<double>
                      corrections; // d; `gradients` are H-bar in dim dimensions
     FilledCells<dim> shares;      // b
