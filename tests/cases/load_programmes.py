@@ -50,9 +50,9 @@ def remainder(run):
 
 def balances(checks, name, run):
     table = run.statistics
-    # Met: 0.08 to 0.12 %.
+    # Met: 0.5 to 1.1 %, the most by weight without mass, which falls fastest.
     checks.below(f"{name}: largest energy remainder, of the work",
-                 remainder(run), 0.004)
+                 remainder(run), 0.03)
     checks.below(f"{name}: mass remainder",
                  np.abs(table["Mass remainder (Mg)"]).max(), 1e-11, "Mg")
     momentum = np.abs(table["Momentum y (kN s)"]).max()
@@ -78,12 +78,19 @@ with workspace_of_arguments()[0] as work:
             # Behind the edge at 2.5 m, at the rear edge of the load, 1.5 m.
             checks.between(f"{name}: leaves the crest at x", cut, 1.25, 1.75,
                            "m")
-    # What is left is the method's, and less with a smaller step. Met: 0.7.
+    # What is left is the method's: of second order in the step.
     coarse, fine = (remainder(work.run("step", "chapter6/foundation_2d.prm", {
         "Time stepping/Time step": dt, "Time stepping/End time": 3,
         "Output/Interval": 0})) for dt in (0.01, 0.005))
-    checks.below("the same by half the step, by that of the whole",
-                 fine / coarse, 0.85)
+    checks.below("energy remainder by half the step, by that of the whole",
+                 fine / coarse, 0.5)
+    # Crumbs of soil cost energy: not with B-bar where soil fills the cells.
+    # Met: 0.1 %.
+    filled = remainder(work.run("filled", "chapter6/foundation_2d.prm", {
+        "Kinematics and mapping/Volumetric strain": "B-bar",
+        "Time stepping/End time": 3, "Output/Interval": 0}))
+    checks.below("energy remainder with B-bar in filled cells, of the work",
+                 filled, 0.004)
     # Wide: the thesis's deterministic 2D load lies in its range; as before.
     checks.between("ultimate load", loads["top, weight alone"], 0., 0.6, "m")
     checks.between("as before", loads["top, weight alone"], 0.27, 0.30, "m")
