@@ -10,37 +10,27 @@ namespace Waker
   {
     /// f(lowest node of the cell, the support domain's share in it) for the
     /// 2^dim cells of a stencil.
-    template <typename Function>
+    template <int dim, typename Function>
     void
-    for_each_cell(const BackgroundGrid<2> &grid,
-                  const PointWeights<2>   &w,
-                  const Function          &f)
+    for_each_cell(const BackgroundGrid<dim> &grid,
+                  const PointWeights<dim>   &w,
+                  const Function            &f)
     {
-      // The shares are in the slopes, those of the first and second cell.
-      const double h    = grid.cell_size();
-      const double x[2] = {-w.gradient[0][0] * h, w.gradient[0][2] * h};
-      const double y[2] = {-w.gradient[1][0] * h, w.gradient[1][2] * h};
-      for (unsigned int j = 0; j < 2; ++j)
-        for (unsigned int i = 0; i < 2; ++i)
-          f(w.base + j * grid.stride(1) + i, x[i] * y[j]);
-    }
-
-
-    template <typename Function>
-    void
-    for_each_cell(const BackgroundGrid<3> &grid,
-                  const PointWeights<3>   &w,
-                  const Function          &f)
-    {
-      const double h    = grid.cell_size();
-      const double x[2] = {-w.gradient[0][0] * h, w.gradient[0][2] * h};
-      const double y[2] = {-w.gradient[1][0] * h, w.gradient[1][2] * h};
-      const double z[2] = {-w.gradient[2][0] * h, w.gradient[2][2] * h};
-      for (unsigned int k = 0; k < 2; ++k)
-        for (unsigned int j = 0; j < 2; ++j)
-          for (unsigned int i = 0; i < 2; ++i)
-            f(w.base + k * grid.stride(2) + j * grid.stride(1) + i,
-              x[i] * y[j] * z[k]);
+      const double h = grid.cell_size();
+      for (unsigned int cell = 0; cell < (1u << dim); ++cell)
+        {
+          unsigned int node  = w.base;
+          double       share = 1.;
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              // The shares are in the slopes, those of the first and second
+              // cell.
+              const unsigned int side = cell >> d & 1;
+              node += side * grid.stride(d);
+              share *= std::abs(w.gradient[d][2 * side]) * h;
+            }
+          f(node, share);
+        }
     }
   } // namespace
 
