@@ -83,6 +83,12 @@ namespace Waker
                << " m, where a support domain passes the level";
           warnings.push_back(text.str());
         }
+      if (p.water.stands() &&
+          p.mapping.volumetric_strain == VolumetricStrain::b_bar_everywhere)
+        warnings.push_back(
+          "Kinematics and mapping/Volumetric strain = B-bar in all cells: soil "
+          "in cells that it hardly fills may boil under water; B-bar leaves "
+          "those alone");
       if (p.water.stands() && p.water.minimum_support < 1e-3)
         {
           std::ostringstream text;

@@ -63,6 +63,12 @@ namespace simulation_strange_loads
     EXPECT_EQ(of(support, {support + "=0.001"}), 0u);
     EXPECT_EQ(of(support, {support + "=0", "Water/Side=none"}), 0u);
 
+    const std::string strain = "Kinematics and mapping/Volumetric strain";
+    EXPECT_EQ(of(strain, {strain + "=B-bar in all cells"}), 1u);
+    EXPECT_EQ(of(strain, {strain + "=B-bar"}), 0u);
+    EXPECT_EQ(of(strain, {strain + "=B-bar in all cells", "Water/Side=none"}),
+              0u);
+
     // The coarse dyke has cells of 0.5 m.
     const std::string width = "Initial failure/Width change";
     EXPECT_EQ(of(width, {"Surface/Method=contour", width + "=0.49"}), 1u);
