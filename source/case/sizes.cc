@@ -74,7 +74,7 @@ namespace Waker
     const SurfaceParameters &surface  = parameters.surface;
     if (dim == 3 && !surface.prismatic &&
         surface.method == SurfaceMethod::contour)
-      per_step += 30.;
+      per_step += 20.;
     sizes.computing = 1e-6 * per_step * n_points * sizes.steps;
 
     const double per_point =
