@@ -3,21 +3,26 @@
 #include <waker/campaign/field_moments.h>
 
 #include <cmath>
+#include <limits>
 
 namespace Waker
 {
-  MaterialVariable::Role
-  role_of(const FieldProperty property)
+  double
+  largest_possible(const FieldProperty property)
   {
     switch (property)
       {
+        case FieldProperty::friction_angle:
+        case FieldProperty::residual_friction_angle:
+          return 89.;
         case FieldProperty::strength:
-          return MaterialVariable::Role::strength;
         case FieldProperty::residual_strength:
-          return MaterialVariable::Role::residual_strength;
+        case FieldProperty::cohesion:
+        case FieldProperty::residual_cohesion:
+          return std::numeric_limits<double>::infinity();
       }
     AssertThrow(false, ExcInternalError());
-    return MaterialVariable::Role::history;
+    return 0.;
   }
 
 
@@ -33,14 +38,19 @@ namespace Waker
       const std::vector<MaterialVariable> variables =
         the_case.materials[material]->variables();
       for (unsigned int v = 0; v < variables.size(); ++v)
-        if (variables[v].role == role_of(field.property))
+        if (variables[v].name == name_of(field.property))
           return v;
+      std::string varying;
+      for (const MaterialVariable &variable : variables)
+        if (is_strength(variable.role))
+          varying += (varying.empty() ? "" : ", ") + variable.name;
       throw UserError("Random fields/" + field.name + "/Property",
                       "is \"" + std::string(name_of(field.property)) +
                         "\", which the material \"" +
                         the_case.parameters.materials[material].name +
                         "\" does not have",
-                      "a material of the model \"von Mises softening\"");
+                      varying.empty() ? "a material with a strength"
+                                      : "a strength that it has: " + varying);
     }
   } // namespace
 
@@ -85,9 +95,10 @@ namespace Waker
   bool
   FieldMoments<dim>::is_possible(const double mean) const
   {
+    // Only an undrained strength is all that there is.
     return std::isfinite(mean) &&
-           (field->property == FieldProperty::residual_strength ? mean >= 0.
-                                                                : mean > 0.);
+           (field->property == FieldProperty::strength ? mean > 0.
+                                                       : mean >= 0.);
   }
 
 

@@ -16,9 +16,6 @@ namespace Waker
 {
   namespace
   {
-    using Role = MaterialVariable::Role;
-
-
     /// More of a distribution than this beyond its limits is worth a warning.
     constexpr double largest_share_beyond = 0.01;
 
@@ -75,10 +72,12 @@ namespace Waker
         numbers.push_back(material);
         moments.emplace_back(the_case, field, material);
 
-        const double largest = field.maximum < 1e299
-                                 ? field.maximum
-                                 : std::numeric_limits<double>::infinity();
-        Target       target{path,
+        const double largest =
+          std::min(field.maximum < 1e299
+                     ? field.maximum
+                     : std::numeric_limits<double>::infinity(),
+                   largest_possible(field.property));
+        Target target{path,
                       moments.back().variable_name(),
                       Marginal(field.distribution, field.minimum, largest),
                       {},
@@ -102,7 +101,7 @@ namespace Waker
                 throw UserError(path + "/Standard deviation",
                                 "is " + std::to_string(deviation) + " at (" +
                                   place_text(dim, coordinates(x)) + ")",
-                                "a finite number of at least 0 (kPa)");
+                                "a finite number of at least 0");
               else if (!(mean >= field.minimum && mean <= largest))
                 problem = "is " + std::to_string(mean) +
                           ", beyond the limits " +
@@ -115,7 +114,7 @@ namespace Waker
                                 problem + " at (" +
                                   place_text(dim, coordinates(x)) + ")",
                                 "a mean that fits distribution and limits, "
-                                "above 0 (kPa; 0 or more of a residual "
+                                "above 0 (0 or more but of an undrained shear "
                                 "strength)");
               target.points.push_back(q);
               target.cells.push_back(lattices.back().cell_of(place.of(x)));
@@ -123,24 +122,27 @@ namespace Waker
               target.standard_deviation.push_back(deviation);
             }
 
-        // The residual strength goes along, unless it has its own field.
-        const auto residual =
-          variable_of(*the_case.materials[material], Role::residual_strength);
-        bool alone = !residual || residual->name == target.property;
-        for (const RandomFieldParameters &other : parameters.fields)
-          alone =
-            alone || (role_of(other.property) == Role::residual_strength &&
-                      material_number(the_case, other) == material);
-        if (!alone)
+        // What softening leaves goes along, unless it has its own field.
+        for (const MaterialVariable &variable :
+             the_case.materials[material]->variables())
           {
+            if (variable.goes_along_with != target.property)
+              continue;
+            bool alone = false;
+            for (const RandomFieldParameters &other : parameters.fields)
+              alone = alone || (name_of(other.property) == variable.name &&
+                                material_number(the_case, other) == material);
+            if (alone)
+              continue;
             const auto initial = [&](const std::string &name) {
               return points.scalars[points.find_scalar(name)].values.data();
             };
             const double *const c_i = initial(target.property);
-            const double *const c_r = initial(residual->name);
-            target.residual         = residual->name;
+            const double *const c_r = initial(variable.name);
+            target.residual         = variable.name;
             for (const std::size_t q : target.points)
-              target.residual_ratio.push_back(c_r[q] / c_i[q]);
+              target.residual_ratio.push_back(c_i[q] > 0. ? c_r[q] / c_i[q]
+                                                          : 0.);
           }
         targets.push_back(std::move(target));
       }
@@ -307,7 +309,7 @@ namespace Waker
         std::ostringstream text;
         text << target.path << ": with mean " << target.mean[at]
              << " and standard deviation " << target.standard_deviation[at]
-             << " kPa the limits cut off " << 100. * most
+             << " the limits cut off " << 100. * most
              << " % of the distribution, which becomes the limit itself: mean "
                 "and deviation will be others";
         lines.push_back(text.str());

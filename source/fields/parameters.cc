@@ -21,17 +21,19 @@ namespace Waker
     add_choice(prm,
                "Property",
                property,
-               "The property that varies. A field of the undrained shear "
-               "strength takes the residual strength with it, in the "
-               "ratio that the material has (fully correlated), unless "
-               "that has a field of its own.");
-    prm.add_parameter("Mean",
-                      mean,
-                      "Mean (kPa): a number, or an expression of x, y, z, "
-                      "depth, depth_in_layer (m; see Materials/<name>/Initial "
-                      "strength), for example \"5 + 1.5*depth\". Empty: the "
-                      "material's own value.",
-                      ExpressionPattern());
+               "The property that varies, one that the law of the material "
+               "has. A field of a strength takes what is left of it after "
+               "softening with it, in the ratio that the material has (fully "
+               "correlated), unless that has a field of its own. Angles are "
+               "in degrees, and cut off at 89.");
+    prm.add_parameter(
+      "Mean",
+      mean,
+      "Mean (kPa, degrees): a number, or an expression of x, y, z, "
+      "depth, depth_in_layer (m; see Materials/<name>/Initial "
+      "strength), for example \"5 + 1.5*depth\". Empty: the "
+      "material's own value.",
+      ExpressionPattern());
     prm.add_parameter(
       "Coefficient of variation",
       coefficient_of_variation,
@@ -40,7 +42,7 @@ namespace Waker
       Patterns::Double(0.));
     prm.add_parameter("Standard deviation",
                       standard_deviation,
-                      "Not 0: standard deviation (kPa) instead of the "
+                      "Not 0: standard deviation (kPa, degrees) instead of the "
                       "coefficient of variation: a number, or an expression "
                       "like that of the mean.",
                       ExpressionPattern());
@@ -59,11 +61,11 @@ namespace Waker
                "lies between them.");
     prm.add_parameter("Minimum",
                       minimum,
-                      "Least value (kPa), 0 or more.",
+                      "Least value (kPa, degrees), 0 or more.",
                       Patterns::Double(0.));
     prm.add_parameter("Maximum",
                       maximum,
-                      "Largest value (kPa).",
+                      "Largest value (kPa, degrees).",
                       Patterns::Double(0.));
     add_choice(prm,
                "Correlation function",

@@ -33,6 +33,7 @@ namespace Waker
         case MaterialVariable::Role::strength:
         case MaterialVariable::Role::residual_strength:
           return true;
+        case MaterialVariable::Role::dilatancy:
         case MaterialVariable::Role::stiffness:
         case MaterialVariable::Role::history:
           return false;
@@ -59,6 +60,16 @@ namespace Waker
       if (!std::isfinite(variables[v]))
         return {{v, "a finite number at every point"}};
     return {};
+  }
+
+
+  void
+  Material::divide_strengths(const double factor, double *values) const
+  {
+    const std::vector<MaterialVariable> list = variables();
+    for (unsigned int v = 0; v < list.size(); ++v)
+      if (is_strength(list[v].role))
+        values[v] /= factor;
   }
 
 

@@ -36,14 +36,18 @@ namespace Waker
   VonMisesSoftening::variables() const
   {
     using Role = MaterialVariable::Role;
-    return {
-      {"undrained shear strength",
-       "kPa",
-       initial_strength,
-       Role::strength,
-       "initial_strength"},
-      {"residual strength", "kPa", residual_strength, Role::residual_strength},
-      {"plastic strain", "-", 0., Role::history}};
+    return {{"undrained shear strength",
+             "kPa",
+             initial_strength,
+             Role::strength,
+             "initial_strength"},
+            {"residual strength",
+             "kPa",
+             residual_strength,
+             Role::residual_strength,
+             "",
+             "undrained shear strength"},
+            {"plastic strain", "-", 0., Role::history}};
   }
 
 

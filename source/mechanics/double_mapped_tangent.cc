@@ -344,6 +344,7 @@ namespace Waker
     if (!elements)
       elements = make_element_tangents(stress_update.point_motion(),
                                        weights->background_grid());
+    symmetric = stress_update.has_symmetric_tangents();
     stress_update.material_tangents(points, material_tangents);
     elements->reinit(material_tangents, *weights, points);
   }

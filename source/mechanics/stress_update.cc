@@ -234,6 +234,18 @@ namespace Waker
 
 
   template <int dim>
+  bool
+  StressUpdate<dim>::has_symmetric_tangents() const
+  {
+    return std::all_of(materials->begin(),
+                       materials->end(),
+                       [](const auto &material) {
+                         return material->has_symmetric_tangent();
+                       });
+  }
+
+
+  template <int dim>
   StressReport
   StressUpdate<dim>::accept(MaterialPoints<dim> &points) const
   {

@@ -25,13 +25,21 @@ namespace Waker
                    MaterialPoints<dim> &points)
   {
     for (unsigned int m = 0; m < materials.size(); ++m)
-      for (const std::string &name : strengths_of(*materials[m]))
-        {
-          std::vector<double> &values = points.scalar(name);
-          for (std::size_t p = 0; p < points.n_points(); ++p)
-            if (points.material[p] == m)
-              values[p] /= factor;
-        }
+      {
+        std::vector<int> arrays;
+        for (const MaterialVariable &variable : materials[m]->variables())
+          arrays.push_back(points.find_scalar(variable.name));
+        std::vector<double> values(arrays.size());
+        for (std::size_t p = 0; p < points.n_points(); ++p)
+          if (points.material[p] == m)
+            {
+              for (unsigned int v = 0; v < values.size(); ++v)
+                values[v] = points.scalars[arrays[v]].values[p];
+              materials[m]->divide_strengths(factor, values.data());
+              for (unsigned int v = 0; v < values.size(); ++v)
+                points.scalars[arrays[v]].values[p] = values[v];
+            }
+      }
   }
 
 
@@ -53,9 +61,10 @@ namespace Waker
                            : names));
       }
     if (!any)
-      throw UserError("Materials/Names",
-                      "no material has a strength to reduce",
-                      "a material with one, such as \"von Mises softening\"");
+      throw UserError(
+        "Materials/Names",
+        "no material has a strength to reduce",
+        "a material with one: \"von Mises softening\" or \"Mohr-Coulomb\"");
     return lines;
   }
 

@@ -102,7 +102,7 @@ namespace base_choice
     check_names<FixityRegion>(7);
     check_names<FixityType>(3);
     check_names<FixityMethod>(2);
-    check_names<MaterialModel>(2);
+    check_names<MaterialModel>(3);
     check_names<VonMisesSoftening::Invariant>(2);
     check_names<WaterSide>(3);
     check_names<SurfaceMethod>(2);
@@ -115,7 +115,7 @@ namespace base_choice
     check_names<LoadTarget>(4);
     check_names<LoadedPoints>(2);
     check_names<LoadMass>(2);
-    check_names<FieldProperty>(2);
+    check_names<FieldProperty>(6);
     check_names<FieldStatistics>(2);
     check_names<Marginal::Kind>(4);
     check_names<Correlation::Function>(3);

@@ -13,11 +13,13 @@
 
 namespace Waker
 {
-  /// The role of what a field lets vary.
-  MaterialVariable::Role
-  role_of(const FieldProperty property);
+  /// The largest value that a property can have: of angles 89 degrees, else no
+  /// limit.
+  double
+  largest_possible(const FieldProperty property);
 
-  /// Mean and standard deviation (kPa) of a random field, anywhere in the soil.
+  /// Mean and standard deviation (of the property's unit) of a random field,
+  /// anywhere in the soil.
   template <int dim>
   class FieldMoments
   {

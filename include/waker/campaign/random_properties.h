@@ -67,7 +67,7 @@ namespace Waker
       Marginal                 marginal;
       std::vector<std::size_t> points; // that get it
       std::vector<std::size_t> cells;  // of its lattice, one per point
-      std::vector<double>      mean;   // kPa, one per point
+      std::vector<double>      mean;   // of the property's unit, one per point
       std::vector<double>      standard_deviation;
       /// The residual strength that goes along, and its ratio to the property,
       /// one per point; else empty.

@@ -18,11 +18,15 @@ namespace Waker
 {
   using namespace dealii;
 
-  /// What may vary.
+  /// What may vary: a variable of a material, of this name.
   enum class FieldProperty
   {
     strength,
-    residual_strength
+    residual_strength,
+    cohesion,
+    residual_cohesion,
+    friction_angle,
+    residual_friction_angle
   };
 
   constexpr const char *
@@ -34,6 +38,14 @@ namespace Waker
           return "undrained shear strength";
         case FieldProperty::residual_strength:
           return "residual strength";
+        case FieldProperty::cohesion:
+          return "cohesion";
+        case FieldProperty::residual_cohesion:
+          return "residual cohesion";
+        case FieldProperty::friction_angle:
+          return "friction angle";
+        case FieldProperty::residual_friction_angle:
+          return "residual friction angle";
       }
     return nullptr;
   }

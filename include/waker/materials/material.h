@@ -50,6 +50,7 @@ namespace Waker
     {
       strength,          // divided by a strength reduction
       residual_strength, // what softening leaves of the strength; likewise
+      dilatancy,         // change of volume by shear
       stiffness,
       history // what the point has gone through
     };
@@ -61,6 +62,9 @@ namespace Waker
     /// Its initial value in the expressions of variables further down the
     /// list; empty: they cannot ask for it.
     std::string symbol = "";
+    /// The variable of whose random field it keeps its share, unless it has a
+    /// field of its own; empty: of none.
+    std::string goes_along_with = "";
   };
 
   /// Does a strength reduction divide what has this role?
@@ -97,6 +101,11 @@ namespace Waker
     /// that is wrong, and what is allowed. By default anything finite is.
     virtual std::optional<std::pair<unsigned int, std::string>>
     initial_problem(const std::vector<double> &variables) const;
+
+    /// Divide the strengths of a point by a factor, for a strength reduction.
+    /// By default each of the variables that is_strength().
+    virtual void
+    divide_strengths(const double factor, double *variables) const;
 
     /**
      * The stress after a strain increment.
@@ -144,6 +153,22 @@ namespace Waker
 
     virtual double
     bulk_modulus() const = 0;
+
+    /// Is the stress effective: does the water in the ground
+    /// (loads/pore_water.h) carry the rest of the total one? By default it is
+    /// the total stress.
+    virtual bool
+    is_of_effective_stress() const
+    {
+      return false;
+    }
+
+    /// Is each algorithmic tangent symmetric, D_ijkl = D_klij? By default yes.
+    virtual bool
+    has_symmetric_tangent() const
+    {
+      return true;
+    }
 
     /**
      * The algorithmic tangents that update() would give for the block, which

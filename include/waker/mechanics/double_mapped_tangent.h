@@ -45,16 +45,18 @@ namespace Waker
     void
     add_diagonal(NodalVector &diagonal) const override;
 
+    /// As the materials' tangents.
     bool
     is_symmetric() const override
     {
-      return true;
+      return symmetric;
     }
 
   private:
     const Weights<dim>                   *weights;
     std::unique_ptr<ElementTangents<dim>> elements;
     std::vector<SymmetricTensor<4, 3>>    material_tangents;
+    bool                                  symmetric = true;
   };
 } // namespace Waker
 

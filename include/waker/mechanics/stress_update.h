@@ -83,6 +83,10 @@ namespace Waker
     material_tangents(const MaterialPoints<dim>          &points,
                       std::vector<SymmetricTensor<4, 3>> &tangents) const;
 
+    /// Are they symmetric, those of all materials?
+    bool
+    has_symmetric_tangents() const;
+
     /// Write the stresses and variables of the last evaluation to the points,
     /// and sum up what happened. They are computed once more: cheaper than to
     /// keep them.
