@@ -27,7 +27,9 @@ namespace Waker
       Materials materials;
       for (const MaterialParameters &material : parameters.materials)
         materials.push_back(
-          make_material(material, parameters.gravity.density_acceleration()));
+          make_material(material,
+                        parameters.gravity.density_acceleration(),
+                        parameters.grid.cell_size));
       return materials;
     }
 
@@ -49,13 +51,54 @@ namespace Waker
     }
 
 
+    /// Saturated weight over the unit weight.
     double
-    largest_density(const Materials &materials)
+    saturation(const MaterialParameters &material)
+    {
+      return material.saturated_unit_weight > 0.
+               ? material.saturated_unit_weight / material.unit_weight
+               : 1.;
+    }
+
+
+    double
+    largest_density(const Materials &materials, const Parameters &parameters)
     {
       double largest = 0.;
-      for (const auto &material : materials)
-        largest = std::max(largest, material->density());
+      for (unsigned int m = 0; m < materials.size(); ++m)
+        largest = std::max(largest,
+                           materials[m]->density() *
+                             (m < parameters.materials.size()
+                                ? saturation(parameters.materials[m])
+                                : 1.));
       return largest;
+    }
+
+
+    std::vector<bool>
+    of_effective_stress(const Materials &materials)
+    {
+      std::vector<bool> result;
+      for (const auto &material : materials)
+        result.push_back(material->is_of_effective_stress());
+      return result;
+    }
+
+
+    /// The soil below the phreatic line gets its saturated weight.
+    template <int dim>
+    void
+    saturate(const PoreWater<dim>                  &pore_water,
+             const std::vector<MaterialParameters> &materials,
+             MaterialPoints<dim>                   &points)
+    {
+      if (pore_water.empty())
+        return;
+      for (std::size_t p = 0; p < points.n_points(); ++p)
+        if (points.material[p] < materials.size() &&
+            pore_water.height(points.initial_position[p][0]) >
+              points.initial_position[p][1])
+          points.mass[p] *= saturation(materials[points.material[p]]);
     }
   } // namespace
 
@@ -73,11 +116,15 @@ namespace Waker
     , fixities(grid, flow.conditions(), flow.outflow())
     , programmes(p)
     , depths(grid, p.layers)
-    , full_node_mass(largest_density(materials) *
+    , pore_water(p.pore_water,
+                 p.water.unit_weight,
+                 of_effective_stress(materials))
+    , full_node_mass(largest_density(materials, p) *
                      std::pow(p.grid.cell_size, dim))
     , riding_loads(p.tractions.size())
   {
     initial_points = make_soil(grid, p, materials, &layers_of_points);
+    saturate(pore_water, p.materials, initial_points);
     flow.fill(initial_points);
     layers_of_points.resize(initial_points.n_points(), depths.n_layers());
     apply_point_loads(undriven_point_loads(p),
@@ -86,6 +133,7 @@ namespace Waker
     declare_material_variables(materials, initial_points);
     InitialProperties<dim>(materials, depths)
       .set(layers_of_points, initial_points);
+    pore_water.record(initial_points);
     prepare_domains(p.mapping.domains, initial_points);
     programmes.prepare(p, initial_points);
     check_run_sizes(run_sizes(*this), p);

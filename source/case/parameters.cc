@@ -251,6 +251,43 @@ namespace Waker
   }
 
 
+  namespace
+  {
+    /// Water in the ground, and soils whose grains it would press together if
+    /// it were not there.
+    void
+    check_pore_water(const Parameters &p)
+    {
+      p.pore_water.check();
+      if (!p.pore_water.is_there())
+        {
+          for (const MaterialParameters &material : p.materials)
+            if (p.water.stands() && material.has_friction())
+              throw UserError(
+                "Materials/" + material.name + "/Model",
+                std::string("is ") + name_of(material.model) +
+                  " with friction, and water stands on the " +
+                  name_of(p.water.side) +
+                  ": as on a watertight skin, its pressure would "
+                  "press the grains together",
+                "a phreatic line (Pore water/Phreatic line; below "
+                "all soil if that is dry), or Water/Side = none");
+          return;
+        }
+      const auto line = p.pore_water.corners();
+      for (const LayerParameters &layer : p.layers)
+        for (const auto &corner : layer.corners())
+          if (corner[0] < line.front()[0] || corner[0] > line.back()[0])
+            throw UserError("Pore water/Phreatic line",
+                            "reaches from x = " + number(line.front()[0]) +
+                              " to " + number(line.back()[0]) +
+                              " m, the layer \"" + layer.name + "\" to " +
+                              number(corner[0]) + " m",
+                            "a line over all soil");
+    }
+  } // namespace
+
+
   void
   Parameters::check() const
   {
@@ -267,7 +304,7 @@ namespace Waker
                       "there is no material",
                       "the names of the materials, separated by commas");
     for (const MaterialParameters &material : materials)
-      material.check(dimension);
+      material.check(dimension, grid.cell_size);
 
     if (layers.empty())
       throw UserError("Soil profile/Layers",
@@ -293,6 +330,7 @@ namespace Waker
                       "step for the initial stress has no solution",
                       "at least one, or Gravity/Initial stress = false");
     check_water(water, layers, grid);
+    check_pore_water(*this);
     for (const TractionParameters &traction : tractions)
       traction.check(dimension, mapping.functions);
     for (const PointLoadParameters &load : point_loads)

@@ -100,6 +100,7 @@ namespace Waker
   void
   Scene<dim>::set_loads(State<dim> &state)
   {
+    the_case->pore_water.record(state.points);
     do_at_step(state.step,
                [&]() { add_up_loads(state.points, state.time, state.loads); });
     tractions.record(state.time, state.tractions);
@@ -212,6 +213,9 @@ namespace Waker
     water_resultant = water.resultant();
     tractions.add(
       time, points, nodes.mass, the_case->full_node_mass, nodes.external_force);
+    the_case->pore_water.add_nodal_forces(points,
+                                          weights,
+                                          nodes.external_force);
     if (!points.load.empty())
       {
         // Eq. 3.2, with linear functions also under GIMP.

@@ -4,9 +4,12 @@
 namespace Waker
 {
   std::unique_ptr<Material>
-  make_material(const MaterialParameters &p, const double gravity)
+  make_material(const MaterialParameters &p,
+                const double              gravity,
+                const double              cell_size)
   {
     const double density = p.unit_weight / gravity;
+    const double scale   = p.softening_scale(cell_size);
     switch (p.model)
       {
         case MaterialModel::linear_elastic:
@@ -17,7 +20,14 @@ namespace Waker
           return make_von_mises_softening(density,
                                           p.elastic,
                                           p.von_mises,
+                                          scale,
                                           "Materials/" + p.name + "/");
+        case MaterialModel::mohr_coulomb:
+          return make_mohr_coulomb(density,
+                                   p.elastic,
+                                   p.mohr_coulomb,
+                                   scale,
+                                   "Materials/" + p.name + "/");
       }
     AssertThrow(false, ExcInternalError());
     return nullptr;

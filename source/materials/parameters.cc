@@ -4,8 +4,11 @@
 #include <waker/base/checks.h>
 #include <waker/base/choice_parameter.h>
 #include <waker/base/errors.h>
+#include <waker/base/expression_pattern.h>
 #include <waker/base/numbers.h>
 #include <waker/materials/factory.h>
+
+#include <cmath>
 
 namespace Waker
 {
@@ -18,18 +21,38 @@ namespace Waker
                "linear elastic: no strength. von Mises softening: "
                "undrained strength c that falls from the initial to the "
                "residual value with plastic strain; plane-strain "
-               "strength c, yield at q = sqrt(3) c.");
+               "strength c, yield at q = sqrt(3) c. Mohr-Coulomb: cohesion "
+               "and friction, with a tension cut-off; may soften.");
     prm.add_parameter("Unit weight",
                       unit_weight,
                       "Weight per volume (kN/m^3), above 0.",
                       Patterns::Double(0.));
+    prm.add_parameter(
+      "Saturated unit weight",
+      saturated_unit_weight,
+      "Weight per volume (kN/m^3), with its water, of the soil "
+      "that lies below the phreatic line at the start; it keeps "
+      "it. 0: the unit weight, as above the line.",
+      Patterns::Double(0.));
+    prm.add_parameter(
+      "Softening length",
+      softening_length,
+      "Width l_s (m) of the band of slip that the softening of "
+      "the soil belongs to, at least 0: in cells of size h soil "
+      "softens by h/l_s times its plastic strain, so that a slip "
+      "surface takes as much work in cells of any size. 0: soil "
+      "softens by its plastic strain, and results depend on "
+      "the cell size.",
+      Patterns::Double(0.));
     elastic.add_parameters(prm);
     von_mises.add_parameters(prm);
+    mohr_coulomb.add_parameters(prm);
   }
 
 
   void
-  MaterialParameters::check(const unsigned int dim) const
+  MaterialParameters::check(const unsigned int dim,
+                            const double       cell_size) const
   {
     const std::string path = "Materials/" + name + "/";
     require_positive(path + "Unit weight", unit_weight, "kN/m^3");
@@ -38,25 +61,56 @@ namespace Waker
       throw UserError(path + "Unit weight",
                       "is " + in_digits(unit_weight) + " kN/m^3",
                       "1e-9 to 1e12 kN/m^3; soils have 10 to 25");
+    if (saturated_unit_weight != 0. && !(saturated_unit_weight >= unit_weight &&
+                                         saturated_unit_weight <= 1e12))
+      throw UserError(path + "Saturated unit weight",
+                      "is " + in_digits(saturated_unit_weight) +
+                        " kN/m^3, the unit weight " + in_digits(unit_weight) +
+                        " kN/m^3",
+                      "at least the unit weight, or 0");
+    if (!(softening_length >= 0. && std::isfinite(softening_length)))
+      throw UserError(path + "Softening length",
+                      "is " + in_digits(softening_length) + " m",
+                      "a width (m) above 0; 0: softening by the cells");
     elastic.check(path);
     von_mises.check_expressions(path, dim); // whatever the model
+    mohr_coulomb.check_expressions(path, dim);
     switch (model)
       {
         case MaterialModel::linear_elastic:
           return;
         case MaterialModel::von_mises_softening:
-          von_mises.check(path, elastic);
+          von_mises.check(path, elastic, softening_scale(cell_size));
+          return;
+        case MaterialModel::mohr_coulomb:
+          mohr_coulomb.check(path, elastic, softening_scale(cell_size));
           return;
       }
   }
 
 
+  bool
+  MaterialParameters::has_friction() const
+  {
+    switch (model)
+      {
+        case MaterialModel::mohr_coulomb:
+          return plain_number(mohr_coulomb.friction_angle).value_or(1.) != 0.;
+        case MaterialModel::linear_elastic:
+        case MaterialModel::von_mises_softening:
+          return false;
+      }
+    return false;
+  }
+
+
   const std::string *
-  MaterialParameters::strength() const
+  MaterialParameters::undrained_strength() const
   {
     switch (model)
       {
         case MaterialModel::linear_elastic:
+        case MaterialModel::mohr_coulomb:
           return nullptr;
         case MaterialModel::von_mises_softening:
           return &von_mises.initial_strength;

@@ -4,11 +4,10 @@
 #include <waker/base/checks.h>
 #include <waker/base/choice_parameter.h>
 #include <waker/base/errors.h>
-#include <waker/base/expression_pattern.h>
 #include <waker/base/numbers.h>
 #include <waker/materials/von_mises_softening.h>
-#include <waker/particles/place_expression.h>
 
+#include "initial_expression.h"
 #include <cmath>
 
 namespace Waker
@@ -32,12 +31,13 @@ namespace Waker
                       "c_i at the place; for a sensitivity of 2.6: "
                       "\"initial_strength/2.6\".",
                       ExpressionPattern());
-    prm.add_parameter("Softening modulus",
-                      softening_modulus,
-                      "Slope H_s = dc / d(plastic strain) (kPa), at most 0. 0: "
-                      "no softening. Results depend on the cell size with it: "
-                      "there is no regularisation.",
-                      Patterns::Double());
+    prm.add_parameter(
+      "Softening modulus",
+      softening_modulus,
+      "Slope H_s = dc / d(plastic strain) (kPa), at most 0. 0: "
+      "no softening. It belongs to the cell size, unless there is "
+      "a softening length.",
+      Patterns::Double());
     add_choice(prm,
                "Plastic strain invariant",
                plastic_strain_invariant,
@@ -45,33 +45,6 @@ namespace Waker
                "sqrt(2/3 e:e); half = sqrt(1/2 e:e), 13 % less for the "
                "same shear.");
   }
-
-
-  namespace
-  {
-    /// A look at an expression before there is a place to evaluate it at.
-    void
-    check_expression(const std::string              &path,
-                     const std::string              &text,
-                     const std::vector<std::string> &more,
-                     const unsigned int              dim)
-    {
-      if (plain_number(text))
-        return;
-      if (dim == 2)
-        PlaceExpression<2>(text, path, more, ", or a number");
-      else
-        PlaceExpression<3>(text, path, more, ", or a number");
-    }
-
-
-    InitialValue
-    initial_value(const std::string &text, const std::string &path)
-    {
-      const std::optional<double> number = plain_number(text);
-      return number ? InitialValue(*number, path) : InitialValue(text, path);
-    }
-  } // namespace
 
 
   void
@@ -87,9 +60,9 @@ namespace Waker
 
 
   void
-  VonMisesSofteningParameters::check(
-    const std::string             &path,
-    const LinearElasticParameters &elastic) const
+  VonMisesSofteningParameters::check(const std::string             &path,
+                                     const LinearElasticParameters &elastic,
+                                     const double softening_scale) const
   {
     // Expressions are read where the points are.
     const std::optional<double> initial  = plain_number(initial_strength);
@@ -108,20 +81,32 @@ namespace Waker
                       "is " + in_digits(softening_modulus) + " kPa",
                       "a negative number, or 0 for no softening");
 
-    // The return to the yield surface, (sqrt(3) c - q) / (3 G + H'), must
-    // exist: no snap-back of a point. H' = dq / d(lambda).
-    const double strain_per_lambda =
-      plastic_strain_invariant == VonMisesSoftening::Invariant::half
-        ? std::sqrt(3.) / 2.
-        : 1.;
-    const double limit =
-      -3. * elastic.shear_modulus() / (std::sqrt(3.) * strain_per_lambda);
+    // A point must not snap back: the return to the yield surface must exist.
+    const double limit = -snap_back_modulus(elastic, softening_scale);
     if (!(softening_modulus > limit))
       throw UserError(path + "Softening modulus",
                       "is " + in_digits(softening_modulus) +
                         " kPa: steeper than the elastic unloading (snap-back)",
                       "above " + in_digits(limit) +
-                        " kPa with this Young's modulus and Poisson's ratio");
+                        " kPa with this Young's modulus and Poisson's ratio" +
+                        (softening_scale != 1.
+                           ? ", this cell size and softening length"
+                           : ""));
+  }
+
+
+  double
+  VonMisesSofteningParameters::snap_back_modulus(
+    const LinearElasticParameters &elastic,
+    const double                   softening_scale) const
+  {
+    // Of the return (sqrt(3) c - q) / (3 G + H'), with H' = dq / d(lambda).
+    const double strain_per_lambda =
+      plastic_strain_invariant == VonMisesSoftening::Invariant::half
+        ? std::sqrt(3.) / 2.
+        : 1.;
+    return 3. * elastic.shear_modulus() /
+           (std::sqrt(3.) * strain_per_lambda * softening_scale);
   }
 
 
@@ -129,6 +114,7 @@ namespace Waker
   make_von_mises_softening(const double                       density,
                            const LinearElasticParameters     &elastic,
                            const VonMisesSofteningParameters &parameters,
+                           const double                       softening_scale,
                            const std::string                 &path)
   {
     return std::make_unique<VonMisesSoftening>(
@@ -137,7 +123,7 @@ namespace Waker
       elastic.poissons_ratio,
       initial_value(parameters.initial_strength, path + "Initial strength"),
       initial_value(parameters.residual_strength, path + "Residual strength"),
-      parameters.softening_modulus,
+      softening_scale * parameters.softening_modulus,
       parameters.plastic_strain_invariant);
   }
 } // namespace Waker

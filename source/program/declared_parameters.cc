@@ -171,6 +171,7 @@ namespace Waker
                   parameters.fixities);
     declare_section(prm, "Gravity", parameters.gravity);
     declare_section(prm, "Water", parameters.water);
+    declare_section(prm, "Pore water", parameters.pore_water);
     declare_section(prm, "Surface", parameters.surface);
     const auto named = [&](const std::string              &section,
                            const std::string              &what,

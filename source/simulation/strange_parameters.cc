@@ -6,6 +6,7 @@
 #include <waker/simulation/plausibility.h>
 
 #include "plausible_ranges.h"
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -48,11 +49,27 @@ namespace Waker
                       warnings);
         }
       const WaterParameters dry;
-      if (!p.water.stands())
+      if (!p.water.stands() && !p.pore_water.is_there())
         warn_unused(p.water.unit_weight != dry.unit_weight,
                     "Water/Unit weight",
                     "Side = none",
                     warnings);
+      for (const MaterialParameters &m : p.materials)
+        warn_unused(!p.pore_water.is_there() && m.saturated_unit_weight != 0.,
+                    "Materials/" + m.name + "/Saturated unit weight",
+                    "no Pore water/Phreatic line",
+                    warnings);
+      warn_unused(p.pore_water.is_there() &&
+                    std::none_of(p.materials.begin(),
+                                 p.materials.end(),
+                                 [](const MaterialParameters &m) {
+                                   return m.model ==
+                                            MaterialModel::mohr_coulomb ||
+                                          m.saturated_unit_weight != 0.;
+                                 }),
+                  "Pore water/Phreatic line",
+                  "laws of total stress alone",
+                  warnings);
       warn_unused(!p.gravity.initial_stress && p.gravity.initial_share != 1.,
                   "Gravity/Initial share",
                   "Initial stress = false",
@@ -102,6 +119,106 @@ namespace Waker
     }
 
 
+    /// A liquid on soil with friction, and water in it.
+    void
+    check_liquids(const Parameters &p, std::vector<std::string> &warnings)
+    {
+      if (p.pore_water.is_there())
+        {
+          const auto   line = p.pore_water.corners();
+          const double end =
+            p.water.side == WaterSide::right ? line.back()[1] : line.front()[1];
+          std::ostringstream text;
+          if (p.water.stands() &&
+              std::abs(end - p.water.level) > p.grid.cell_size)
+            {
+              text << "Pore water/Phreatic line ends at " << end
+                   << " m, where the water stands at " << p.water.level << " m";
+              warnings.push_back(text.str());
+            }
+          return;
+        }
+      const bool has_friction = std::any_of(p.materials.begin(),
+                                            p.materials.end(),
+                                            [](const MaterialParameters &m) {
+                                              return m.has_friction();
+                                            });
+      for (const TractionParameters &t : p.tractions)
+        if (has_friction && t.kind == TractionKind::hydrostatic)
+          warnings.push_back(
+            "Tractions/" + t.name +
+            ": a liquid on soil with friction presses its grains together, as "
+            "on a watertight skin; there is no pore water");
+    }
+
+
+    void
+    check_friction(const std::string           &path,
+                   const MohrCoulombParameters &p,
+                   Ranges                      &ranges)
+    {
+      const auto c   = plain_number(p.cohesion),
+                 phi = plain_number(p.friction_angle),
+                 psi = plain_number(p.dilatancy_angle);
+      if (c)
+        ranges.check(path + "Cohesion", *c, 0., 200., " kPa", "soils have");
+      if (phi && *phi != 0.)
+        ranges.check(
+          path + "Friction angle", *phi, 10., 50., " degrees", "soils have");
+      if (psi)
+        ranges.check(
+          path + "Dilatancy angle", *psi, 0., 20., " degrees", "soils have");
+    }
+
+
+    /// Softening that is nearly, or under pressure, as steep as unloading.
+    void
+    check_softening(const MaterialParameters &m,
+                    const double              cell_size,
+                    std::vector<std::string> &warnings)
+    {
+      constexpr double   near_by = 0.8, usual_pressure = 200.; // -, kPa
+      const double       scale = m.softening_scale(cell_size);
+      const std::string  path  = "Materials/" + m.name + "/";
+      std::ostringstream text;
+      switch (m.model)
+        {
+          case MaterialModel::linear_elastic:
+            return;
+          case MaterialModel::von_mises_softening:
+            {
+              const double limit =
+                m.von_mises.snap_back_modulus(m.elastic, scale);
+              if (-m.von_mises.softening_modulus < near_by * limit)
+                return;
+              text << path << "Softening modulus is "
+                   << m.von_mises.softening_modulus
+                   << " kPa, and points snap back from " << -limit
+                   << " kPa on; within a fifth of that Newton may not converge";
+              break;
+            }
+          case MaterialModel::mohr_coulomb:
+            {
+              const double strain = m.mohr_coulomb.softening_strain;
+              const double least =
+                m.mohr_coulomb.snap_back_strain(m.elastic, scale, 0.);
+              const double deep =
+                m.mohr_coulomb.snap_back_strain(m.elastic,
+                                                scale,
+                                                usual_pressure);
+              if (!(strain > 0.) || strain > deep)
+                return;
+              text << path << "Softening strain is " << strain
+                   << ": points under a pressure (s_1 + s_3)/2 of more than "
+                   << usual_pressure * (strain - least) / (deep - least)
+                   << " kPa lose their friction at once (snap-back)";
+              break;
+            }
+        }
+      warnings.push_back(text.str());
+    }
+
+
     void
     check_material(const MaterialParameters &m, Ranges &ranges)
     {
@@ -120,10 +237,12 @@ namespace Waker
                    0.495,
                    "",
                    "usual is");
+      if (m.model == MaterialModel::mohr_coulomb)
+        check_friction(path, m.mohr_coulomb, ranges);
       // Of an expression the points know the values.
-      if (m.strength() == nullptr)
+      if (m.undrained_strength() == nullptr)
         return;
-      if (const auto strength = plain_number(*m.strength()))
+      if (const auto strength = plain_number(*m.undrained_strength()))
         check_strength(path, *strength, m.elastic.youngs_modulus, ranges);
     }
   } // namespace
@@ -135,7 +254,10 @@ namespace Waker
     std::vector<std::string> warnings;
     Ranges                   ranges(warnings);
     for (const MaterialParameters &material : p.materials)
-      check_material(material, ranges);
+      {
+        check_material(material, ranges);
+        check_softening(material, p.grid.cell_size, warnings);
+      }
     if (p.gravity.acceleration > 0.)
       ranges.check("Gravity/Acceleration",
                    p.gravity.acceleration,
@@ -164,6 +286,7 @@ namespace Waker
 
     check_unused(p, warnings);
     check_water(p, warnings);
+    check_liquids(p, warnings);
     for (const std::string &text : unused_in_load_programmes(p))
       warnings.push_back(text);
 

@@ -51,7 +51,7 @@ namespace materials_simple_shear
       parameters.von_mises.softening_modulus        = H_s;
       parameters.von_mises.plastic_strain_invariant = Named{invariant};
       Materials materials;
-      materials.push_back(make_material(parameters, 9.81));
+      materials.push_back(make_material(parameters, 9.81, 0.25));
 
       const auto          grid = Lattice::grid<dim>(1., 0.25);
       MaterialPoints<dim> points;

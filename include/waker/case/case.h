@@ -6,6 +6,7 @@
 #include <waker/case/flow.h>
 #include <waker/case/load_programmes.h>
 #include <waker/case/parameters.h>
+#include <waker/loads/pore_water.h>
 #include <waker/loads/tractions.h>
 #include <waker/measures/crest.h>
 #include <waker/mechanics/gravity_step.h>
@@ -46,6 +47,7 @@ namespace Waker
     const Fixities<dim>                 fixities;
     const LoadProgrammes<dim>           programmes;
     const SoilDepths<dim>               depths;
+    const PoreWater<dim>                pore_water;
     const double        full_node_mass; // Mg, of a node inside the body
     MaterialPoints<dim> initial_points;
     /// Number of each one's layer; no layer has the number of what flows in.

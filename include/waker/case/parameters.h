@@ -6,6 +6,7 @@
 #include <waker/control/load_programme_parameters.h>
 #include <waker/control/parameters.h>
 #include <waker/loads/parameters.h>
+#include <waker/loads/pore_water.h>
 #include <waker/loads/traction_parameters.h>
 #include <waker/materials/factory.h>
 #include <waker/mechanics/parameters.h>
@@ -71,6 +72,7 @@ namespace Waker
     std::vector<FixityParameters>        fixities;
     GravityParameters                    gravity;
     WaterParameters                      water;
+    PoreWaterParameters                  pore_water;
     SurfaceParameters                    surface;
     std::vector<TractionParameters>      tractions;
     std::vector<PointLoadParameters>     point_loads;

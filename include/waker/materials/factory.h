@@ -3,6 +3,7 @@
 #define waker_materials_factory_h
 
 #include <waker/materials/material.h>
+#include <waker/materials/mohr_coulomb.h>
 #include <waker/materials/von_mises_softening.h>
 
 #include <memory>
@@ -18,7 +19,8 @@ namespace Waker
   enum class MaterialModel
   {
     linear_elastic,
-    von_mises_softening
+    von_mises_softening,
+    mohr_coulomb
   };
 
   constexpr const char *
@@ -30,6 +32,8 @@ namespace Waker
           return "linear elastic";
         case MaterialModel::von_mises_softening:
           return "von Mises softening";
+        case MaterialModel::mohr_coulomb:
+          return "Mohr-Coulomb";
       }
     return nullptr;
   }
@@ -42,26 +46,50 @@ namespace Waker
 
     MaterialModel model       = MaterialModel::von_mises_softening;
     double        unit_weight = 15.; // kN/m^3
+    /// Of the soil that lies below the phreatic line at t = 0; 0: the same.
+    double saturated_unit_weight = 0.; // kN/m^3
+
+    /// l_s (m): width of the band that the softening belongs to; 0: a cell,
+    /// whatever its size.
+    double softening_length = 0.;
 
     // Of the laws, those of others unread.
     LinearElasticParameters     elastic;
     VonMisesSofteningParameters von_mises;
+    MohrCoulombParameters       mohr_coulomb;
 
-    /// The strength as the user writes it; null if the law has none.
+    /// The undrained shear strength as the user writes it; null if the law has
+    /// none.
     const std::string *
-    strength() const;
+    undrained_strength() const;
+
+    /// Does its strength grow with pressure?
+    bool
+    has_friction() const;
 
     void
     add_parameters(ParameterHandler &prm);
 
+    /// A band of slip is some cells wide, so its plastic strain per
+    /// displacement goes with 1/h. By this factor it is multiplied before it
+    /// softens, h / l_s.
+    double
+    softening_scale(const double cell_size) const
+    {
+      return softening_length > 0. ? cell_size / softening_length : 1.;
+    }
+
     /// @throws UserError "Materials/<name>/..."
     void
-    check(const unsigned int dim) const;
+    check(const unsigned int dim, const double cell_size) const;
   };
 
   /// @param gravity acceleration (m/s^2) that turns unit weight into density
+  /// @param cell_size h (m), of the softening length
   std::unique_ptr<Material>
-  make_material(const MaterialParameters &parameters, const double gravity);
+  make_material(const MaterialParameters &parameters,
+                const double              gravity,
+                const double              cell_size);
 } // namespace Waker
 
 #endif

@@ -106,18 +106,28 @@ namespace Waker
     void
     check_expressions(const std::string &path, const unsigned int dim) const;
 
+    /// @param softening_scale see MaterialParameters
     /// @throws UserError path + ...
     void
     check(const std::string             &path,
-          const LinearElasticParameters &elastic) const;
+          const LinearElasticParameters &elastic,
+          const double                   softening_scale) const;
+
+    /// -H_s (kPa), above 0, from which a point loses its strength with less
+    /// strain than it unloads elastically.
+    double
+    snap_back_modulus(const LinearElasticParameters &elastic,
+                      const double                   softening_scale) const;
   };
 
 
+  /// @param softening_scale see MaterialParameters
   /// @param path "Materials/<name>/"
   std::unique_ptr<Material>
   make_von_mises_softening(const double                       density,
                            const LinearElasticParameters     &elastic,
                            const VonMisesSofteningParameters &parameters,
+                           const double                       softening_scale,
                            const std::string                 &path);
 } // namespace Waker
 

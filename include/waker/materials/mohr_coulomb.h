@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_materials_mohr_coulomb_h
+#define waker_materials_mohr_coulomb_h
+
+#include <waker/materials/linear_elastic.h>
+
+#include <array>
+#include <memory>
+#include <string>
+
+namespace Waker
+{
+  struct MohrCoulombStrength;
+
+  /**
+   * Drained soil: linear elastic, Mohr-Coulomb's yield surface
+   *   (s_1 - s_3) + (s_1 + s_3) sin phi = 2 c cos phi
+   * of the largest and the smallest principal stress (tension positive), the
+   * same with the dilatancy angle psi as plastic potential, and a tension
+   * cut-off s_1 <= tensile strength, with flow along s_1. The cut-off never
+   * lies beyond the apex, c cot phi.
+   *
+   * Cohesion and both angles may fall linearly with the plastic strain
+   * sqrt(2/3 e:e), of the deviator, to residual values. The return in principal
+   * stresses is exact, with softening up to round-off; the tangent is the
+   * algorithmic one, unsymmetric unless psi = phi without softening.
+   */
+  class MohrCoulomb final : public LinearElastic
+  {
+  public:
+    /// Cohesion (kPa), friction angle and dilatancy angle (degrees).
+    struct Angles
+    {
+      InitialValue cohesion;
+      InitialValue friction_angle;
+      InitialValue dilatancy_angle; // at most the friction angle
+    };
+
+    /// Perfectly plastic.
+    /// @param tensile_strength kPa; may be infinite
+    MohrCoulomb(const double  density,
+                const double  youngs_modulus,
+                const double  poissons_ratio,
+                const Angles &peak,
+                const double  tensile_strength);
+
+    /// @param residual what is left from a plastic strain of
+    ///        `softening_strain` (-) on
+    MohrCoulomb(const double  density,
+                const double  youngs_modulus,
+                const double  poissons_ratio,
+                const Angles &peak,
+                const double  tensile_strength,
+                const Angles &residual,
+                const double  softening_strain);
+
+    /// "cohesion" (kPa), "friction angle", "dilatancy angle" (degrees), if it
+    /// softens the residual ones of each, all constant; "plastic strain" (-).
+    std::vector<MaterialVariable>
+    variables() const override;
+
+    std::optional<std::pair<unsigned int, std::string>>
+    initial_problem(const std::vector<double> &variables) const override;
+
+    /// Cohesion and tan(friction angle); the dilatancy angle is kept, but is at
+    /// most the friction angle that is left.
+    void
+    divide_strengths(const double factor, double *variables) const override;
+
+    double
+    update(const SymmetricTensor<2, 3> &strain_increment,
+           SymmetricTensor<2, 3>       &stress,
+           double                      *variables,
+           SymmetricTensor<4, 3>       *tangent) const override;
+
+    void
+    update_block(const unsigned int n_points, Block &block) const override;
+
+    bool
+    is_of_effective_stress() const override
+    {
+      return true;
+    }
+
+    bool
+    has_symmetric_tangent() const override
+    {
+      return false;
+    }
+
+  private:
+    bool
+    softens() const
+    {
+      return softening_strain > 0.;
+    }
+
+    unsigned int
+    number_of_plastic_strain() const
+    {
+      return softens() ? 6 : 3;
+    }
+
+    /// At a plastic strain.
+    /// @param rate if not null: its derivative
+    MohrCoulombStrength
+    strength_at(const double         plastic_strain,
+                const double        *variables,
+                MohrCoulombStrength *rate = nullptr) const;
+
+    Angles peak;
+    Angles residual;
+    double tensile_strength; // kPa
+    double softening_strain; // 0: none
+  };
+
+
+  /// What the user says of it: in "Materials/<name>".
+  struct MohrCoulombParameters
+  {
+    std::string cohesion           = "5";  // c, kPa; may be an expression
+    std::string friction_angle     = "30"; // phi, degrees; likewise
+    std::string dilatancy_angle    = "0";  // psi, degrees; likewise
+    std::string tensile_strength   = "0";  // kPa, or "apex"
+    std::string residual_cohesion  = "cohesion";
+    std::string residual_friction  = "friction_angle";
+    std::string residual_dilatancy = "dilatancy_angle";
+    double      softening_strain   = 0.; // -
+
+    void
+    add_parameters(ParameterHandler &prm);
+
+    /// Can they be read?
+    /// @param path "Materials/<name>/"
+    /// @throws UserError path + ...
+    void
+    check_expressions(const std::string &path, const unsigned int dim) const;
+
+    /// @param softening_scale see MaterialParameters
+    /// @throws UserError path + ...
+    void
+    check(const std::string             &path,
+          const LinearElasticParameters &elastic,
+          const double                   softening_scale) const;
+
+    /**
+     * The softening strain (-) below which a point loses its strength with less
+     * strain than it unloads elastically.
+     *
+     * @param pressure -(s_1 + s_3) / 2 (kPa) of the point; with 0 it is the
+     *        cohesion alone. What are expressions does not count.
+     */
+    double
+    snap_back_strain(const LinearElasticParameters &elastic,
+                     const double                   softening_scale,
+                     const double                   pressure) const;
+  };
+
+
+  /// @param softening_scale see MaterialParameters
+  /// @param path "Materials/<name>/"
+  std::unique_ptr<Material>
+  make_mohr_coulomb(const double                   density,
+                    const LinearElasticParameters &elastic,
+                    const MohrCoulombParameters   &parameters,
+                    const double                   softening_scale,
+                    const std::string             &path);
+} // namespace Waker
+
+#endif

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/parameter_handler.h>
+
+#include <waker/base/choice_parameter.h>
+#include <waker/base/errors.h>
+#include <waker/base/numbers.h>
+#include <waker/base/text.h>
+#include <waker/loads/pore_water.h>
+#include <waker/mapping/stencil.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Waker
+{
+  namespace
+  {
+    const char *const scalar_name = "pore pressure";
+    const char *const line_path   = "Pore water/Phreatic line";
+  } // namespace
+
+
+  void
+  PoreWaterParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter(
+      "Phreatic line",
+      phreatic_line,
+      "Corners \"x, y; x, y; ...\" (m), x ascending, of the line "
+      "at which the pressure of the water in the ground is 0; "
+      "in 3D the same along z. Below it the pressure is "
+      "hydrostatic, with Water/Unit weight. It must reach over "
+      "all soil; beyond its ends it is level. It stays as it "
+      "is, whatever the water outside does. Empty: no water in "
+      "the ground, and stresses are total.",
+      Patterns::Anything());
+    prm.add_parameter("Largest suction",
+                      largest_suction,
+                      "Suction (kPa) that the soil above the line has at most, "
+                      "at least 0: it grows with the height above the line "
+                      "like the pressure below it. 0: none.",
+                      Patterns::Double(0.));
+    add_choice(prm,
+               "Pressure of",
+               pressure_of,
+               "What decides on the pressure in soil that moves: the place "
+               "where it is, or the soil, which keeps the pressure of its "
+               "place at the start.");
+  }
+
+
+  bool
+  PoreWaterParameters::is_there() const
+  {
+    return !tidy(phreatic_line).empty();
+  }
+
+
+  std::vector<std::array<double, 2>>
+  PoreWaterParameters::corners() const
+  {
+    const std::string allowed =
+      "two corners or more, \"x, y; x, y\" (m), x ascending";
+    std::vector<std::array<double, 2>> line;
+    std::vector<std::string>           items = split(phreatic_line, ';');
+    if (!items.empty() && tidy(items.back()).empty())
+      items.pop_back(); // a semicolon at the end
+    for (const std::string &item : items)
+      {
+        const std::vector<std::string> numbers = split(item, ',');
+        std::array<double, 2>          corner;
+        if (numbers.size() != 2 || !read_number(numbers[0], corner[0]) ||
+            !read_number(numbers[1], corner[1]))
+          throw UserError(line_path,
+                          "corner " + std::to_string(line.size() + 1) +
+                            " is \"" + tidy(item) + "\", not two numbers",
+                          allowed);
+        if (!line.empty() && !(corner[0] > line.back()[0]))
+          throw UserError(line_path,
+                          "corner " + std::to_string(line.size() + 1) +
+                            " has x = " + in_digits(corner[0]) +
+                            " m after x = " + in_digits(line.back()[0]) + " m",
+                          allowed);
+        line.push_back(corner);
+      }
+    if (line.size() < 2)
+      throw UserError(line_path,
+                      "\"" + tidy(phreatic_line) + "\" has " +
+                        std::to_string(line.size()) + " corner",
+                      allowed);
+    return line;
+  }
+
+
+  void
+  PoreWaterParameters::check() const
+  {
+    if (!(largest_suction >= 0. && std::isfinite(largest_suction)))
+      throw UserError("Pore water/Largest suction",
+                      "is " + in_digits(largest_suction) + " kPa",
+                      "at least 0");
+    if (is_there())
+      corners();
+  }
+
+
+  template <int dim>
+  PoreWater<dim>::PoreWater(const PoreWaterParameters &parameters,
+                            const double               unit_weight,
+                            const std::vector<bool>   &of_effective_stress)
+    : unit_weight(unit_weight)
+    , largest_suction(parameters.largest_suction)
+    , pressure_of(parameters.pressure_of)
+    , takes_part(of_effective_stress)
+  {
+    if (parameters.is_there())
+      line = parameters.corners();
+  }
+
+
+  template <int dim>
+  double
+  PoreWater<dim>::height(const double x) const
+  {
+    if (x <= line.front()[0])
+      return line.front()[1];
+    if (x >= line.back()[0])
+      return line.back()[1];
+    const auto next = std::upper_bound(
+      line.begin(), line.end(), x, [](const double value, const auto &corner) {
+        return value < corner[0];
+      });
+    const auto  &b = *next, &a = *(next - 1);
+    const double share = (x - a[0]) / (b[0] - a[0]);
+    return a[1] + share * (b[1] - a[1]);
+  }
+
+
+  template <int dim>
+  double
+  PoreWater<dim>::pressure(const Point<dim> &x) const
+  {
+    return std::max(unit_weight * (height(x[0]) - x[1]), -largest_suction);
+  }
+
+
+  template <int dim>
+  void
+  PoreWater<dim>::record(MaterialPoints<dim> &points) const
+  {
+    if (empty())
+      return;
+    std::vector<double> &values = points.scalar(scalar_name);
+    for (std::size_t p = 0; p < points.n_points(); ++p)
+      values[p] = pressure(pressure_of == PorePressureOf::place
+                             ? points.position[p]
+                             : points.initial_position[p]);
+  }
+
+
+  template <int dim>
+  void
+  PoreWater<dim>::add_nodal_forces(const MaterialPoints<dim> &points,
+                                   const Weights<dim>        &weights,
+                                   NodalVector               &force) const
+  {
+    if (empty())
+      return;
+    const std::vector<double> &values = points.scalar(scalar_name);
+    const Stencil<dim>         stencil(weights.background_grid());
+    for (std::size_t p = 0; p < points.n_points(); ++p)
+      if (takes_part[points.material[p]] && values[p] != 0.)
+        {
+          Tensor<2, dim> P;
+          for (unsigned int d = 0; d < dim; ++d)
+            P[d][d] = points.volume[p] * values[p];
+          stencil.scatter_gradient(weights[p], P, force.begin());
+        }
+  }
+
+
+  template class PoreWater<2>;
+  template class PoreWater<3>;
+} // namespace Waker

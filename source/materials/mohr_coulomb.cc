@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/materials/mohr_coulomb.h>
+#include <waker/materials/principal_stress.h>
+
+#include "mohr_coulomb_return.h"
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace Waker
+{
+  namespace
+  {
+    const double degree = std::acos(-1.) / 180.;
+    const double sqrt_3 = std::sqrt(3.);
+
+
+    /// The largest principal stress that cohesion and friction admit (kPa).
+    double
+    apex(const double cohesion, const double sin_phi, const double cos_phi)
+    {
+      return sin_phi > 0. ? cohesion * cos_phi / sin_phi
+                          : std::numeric_limits<double>::infinity();
+    }
+
+
+    /// The plastic strain after a step that begins with `start`: that of the
+    /// strength that it leaves, k = start + increment(k). With less strength
+    /// there is more of it, so the end is unique unless a point snaps back.
+    template <typename Increment>
+    double
+    plastic_strain_after(const double     start,
+                         const double     softening_strain,
+                         const Increment &increment)
+    {
+      const double at_residual = start + increment(softening_strain);
+      if (at_residual >= softening_strain)
+        return at_residual;
+      const auto excess = [&](const double k) {
+        return k - start - increment(k);
+      };
+      std::uintmax_t n_iterations = 60;
+      const auto [low, high]      = boost::math::tools::toms748_solve(
+        excess,
+        start,
+        softening_strain,
+        excess(start),
+        softening_strain - at_residual,
+        boost::math::tools::eps_tolerance<double>(51),
+        n_iterations);
+      return 0.5 * (low + high);
+    }
+  } // namespace
+
+
+  MohrCoulomb::MohrCoulomb(const double  density,
+                           const double  youngs_modulus,
+                           const double  poissons_ratio,
+                           const Angles &peak,
+                           const double  tensile_strength)
+    : MohrCoulomb(density,
+                  youngs_modulus,
+                  poissons_ratio,
+                  peak,
+                  tensile_strength,
+                  peak,
+                  0.)
+  {}
+
+
+  MohrCoulomb::MohrCoulomb(const double  density,
+                           const double  youngs_modulus,
+                           const double  poissons_ratio,
+                           const Angles &peak,
+                           const double  tensile_strength,
+                           const Angles &residual,
+                           const double  softening_strain)
+    : LinearElastic(density, youngs_modulus, poissons_ratio)
+    , peak(peak)
+    , residual(residual)
+    , tensile_strength(tensile_strength)
+    , softening_strain(softening_strain)
+  {
+    Assert(tensile_strength >= 0. && softening_strain >= 0.,
+           ExcMessage("neither tensile strength nor softening strain is "
+                      "negative"));
+  }
+
+
+  std::vector<MaterialVariable>
+  MohrCoulomb::variables() const
+  {
+    using Role                        = MaterialVariable::Role;
+    std::vector<MaterialVariable> all = {
+      {"cohesion", "kPa", peak.cohesion, Role::strength, "cohesion"},
+      {"friction angle",
+       "degrees",
+       peak.friction_angle,
+       Role::strength,
+       "friction_angle"},
+      {"dilatancy angle",
+       "degrees",
+       peak.dilatancy_angle,
+       Role::dilatancy,
+       "dilatancy_angle"}};
+    if (softens())
+      {
+        all.push_back({"residual cohesion",
+                       "kPa",
+                       residual.cohesion,
+                       Role::residual_strength,
+                       "",
+                       "cohesion"});
+        all.push_back({"residual friction angle",
+                       "degrees",
+                       residual.friction_angle,
+                       Role::residual_strength,
+                       "",
+                       "friction angle"});
+        all.push_back({"residual dilatancy angle",
+                       "degrees",
+                       residual.dilatancy_angle,
+                       Role::dilatancy});
+      }
+    all.push_back({"plastic strain", "-", 0., Role::history});
+    return all;
+  }
+
+
+  std::optional<std::pair<unsigned int, std::string>>
+  MohrCoulomb::initial_problem(const std::vector<double> &variables) const
+  {
+    const unsigned int n_sets = softens() ? 2 : 1;
+    for (unsigned int s = 0; s < n_sets; ++s)
+      {
+        const double *const v    = variables.data() + 3 * s;
+        const bool          left = s == 1;
+        std::ostringstream  most;
+        if (left)
+          most << " and at most the peak value at every point, here "
+               << variables[0] << " kPa";
+        if (!(v[0] >= 0. && std::isfinite(v[0]) &&
+              (!left || v[0] <= variables[0])))
+          return {{3 * s, "a finite number of at least 0 (kPa)" + most.str()}};
+        if (!(v[1] >= 0. && v[1] < 90. && (!left || v[1] <= variables[1])))
+          {
+            std::ostringstream text;
+            text << "at least 0 and below 90 (degrees) at every point";
+            if (left)
+              text << ", at most the peak value, here " << variables[1];
+            return {{3 * s + 1, text.str()}};
+          }
+        if (!(v[2] >= 0. && v[2] <= v[1]))
+          {
+            std::ostringstream text;
+            text << "from 0 to the friction angle at every point, here " << v[1]
+                 << " degrees";
+            return {{3 * s + 2, text.str()}};
+          }
+      }
+    if (variables[0] == 0. && variables[1] == 0.)
+      return {{0, "above 0 (kPa) where the friction angle is 0"}};
+    return Material::initial_problem(variables);
+  }
+
+
+  void
+  MohrCoulomb::divide_strengths(const double factor, double *variables) const
+  {
+    const unsigned int n_sets = softens() ? 2 : 1;
+    for (unsigned int s = 0; s < n_sets; ++s)
+      {
+        double *const v = variables + 3 * s;
+        v[0] /= factor;
+        v[1] = std::atan(std::tan(v[1] * degree) / factor) / degree;
+        v[2] = std::min(v[2], v[1]);
+      }
+  }
+
+
+  MohrCoulombStrength
+  MohrCoulomb::strength_at(const double         plastic_strain,
+                           const double        *v,
+                           MohrCoulombStrength *rate) const
+  {
+    // What softening leaves never exceeds what there is: a random field may
+    // give a point less than its residual strength.
+    double cohesion = v[0], phi = v[1], psi = v[2];
+    double slope[3] = {0., 0., 0.};
+    if (softens())
+      {
+        const double share   = std::min(plastic_strain / softening_strain, 1.);
+        const double loss[3] = {std::min(v[3] - v[0], 0.),
+                                std::min(v[4] - v[1], 0.),
+                                v[5] - v[2]};
+        cohesion += share * loss[0];
+        phi += share * loss[1];
+        psi += share * loss[2];
+        if (share < 1.)
+          for (unsigned int i = 0; i < 3; ++i)
+            slope[i] = loss[i] / softening_strain;
+      }
+    const bool          is_associated = psi >= phi;
+    MohrCoulombStrength s;
+    s.cohesion       = cohesion;
+    s.sin_phi        = std::sin(phi * degree);
+    s.cos_phi        = std::cos(phi * degree);
+    s.sin_psi        = is_associated ? s.sin_phi : std::sin(psi * degree);
+    const double end = apex(cohesion, s.sin_phi, s.cos_phi);
+    s.tension        = std::min(tensile_strength, end);
+    if (rate != nullptr)
+      {
+        const double phi_rate = slope[1] * degree;
+        rate->cohesion        = slope[0];
+        rate->sin_phi         = s.cos_phi * phi_rate;
+        rate->cos_phi         = -s.sin_phi * phi_rate;
+        rate->sin_psi         = is_associated
+                                  ? rate->sin_phi
+                                  : std::cos(psi * degree) * slope[2] * degree;
+        rate->tension         = tensile_strength < end || !(s.sin_phi > 0.)
+                                  ? 0.
+                                  : slope[0] * s.cos_phi / s.sin_phi -
+                              cohesion * phi_rate / (s.sin_phi * s.sin_phi);
+      }
+    return s;
+  }
+
+
+  double
+  MohrCoulomb::update(const SymmetricTensor<2, 3> &strain_increment,
+                      SymmetricTensor<2, 3>       &stress,
+                      double                      *variables,
+                      SymmetricTensor<4, 3>       *tangent) const
+  {
+    double &plastic_strain = variables[number_of_plastic_strain()];
+    add_elastic_stress(strain_increment, stress);
+    const PrincipalStress trial    = principal_stress(stress);
+    MohrCoulombStrength   strength = strength_at(plastic_strain, variables);
+    if (MohrCoulombReturn::holds(trial.value, strength))
+      {
+        if (tangent != nullptr)
+          *tangent = elastic_tangent;
+        return 0.;
+      }
+
+    const double            lame = K - 2. / 3. * G;
+    const MohrCoulombReturn map(G, lame);
+    double                  end = plastic_strain;
+    if (softens())
+      end = plastic_strain_after(
+        plastic_strain, softening_strain, [&](const double k) {
+          const auto at_k = map(trial.value, strength_at(k, variables));
+          return MohrCoulombReturn::equivalent(at_k.plastic_strain);
+        });
+    MohrCoulombStrength rate;
+    strength          = strength_at(end, variables, &rate);
+    const auto result = map(trial.value, strength);
+    plastic_strain += MohrCoulombReturn::equivalent(result.plastic_strain);
+    stress = with_values(result.stress, trial.direction);
+
+    if (tangent != nullptr)
+      {
+        double slope[3][3];
+        map.slope(result, strength, rate, slope);
+        const SymmetricTensor<4, 3> of_trial =
+          isotropic_derivative(trial, result.stress, slope);
+        // After the elastic D = lame 1 x 1 + 2 G I.
+        *tangent = (2. * G) * of_trial;
+        const SymmetricTensor<2, 3> of_pressure =
+          of_trial * unit_symmetric_tensor<3>();
+        *tangent +=
+          lame * outer_product(of_pressure, unit_symmetric_tensor<3>());
+      }
+    double dissipation = 0.;
+    for (unsigned int d = 0; d < 3; ++d)
+      dissipation += result.stress[d] * result.plastic_strain[d];
+    return dissipation;
+  }
+
+
+  void
+  MohrCoulomb::update_block(const unsigned int n_points, Block &block) const
+  {
+    // The elastic stress of all points, and a cone within the surface: of those
+    // inside nothing else need be known. (s_1 - s_3) <= 2 q / sqrt(3),
+    // (s_1 + s_3) / 2 <= p + q / 3 and s_1 <= p + 2 q / 3, with q = sqrt(3
+    // J_2).
+    const double        lame = K - 2. / 3. * G, two_G = 2. * G, third = 1. / 3.;
+    const double *const plastic = block.variables[number_of_plastic_strain()];
+    double              p[block_size], q[block_size], trial[6][block_size];
+#pragma GCC ivdep
+    for (unsigned int l = 0; l < block_size; ++l)
+      {
+        const double(*const e)[block_size] = block.strain_increment;
+        const double(*const s)[block_size] = block.stress;
+        const double add = lame * (e[0][l] + e[1][l] + e[2][l]);
+        const double xx  = s[0][l] + two_G * e[0][l] + add;
+        const double yy  = s[1][l] + two_G * e[1][l] + add;
+        const double zz  = s[2][l] + two_G * e[2][l] + add;
+        const double xy  = s[3][l] + two_G * e[3][l];
+        const double xz  = s[4][l] + two_G * e[4][l];
+        const double yz  = s[5][l] + two_G * e[5][l];
+        p[l]             = (xx + yy + zz) * third;
+        const double a = xx - p[l], b = yy - p[l], c = zz - p[l];
+        q[l] = std::sqrt(
+          1.5 * (a * a + b * b + c * c + 2. * (xy * xy + xz * xz + yz * yz)));
+        trial[0][l] = xx;
+        trial[1][l] = yy;
+        trial[2][l] = zz;
+        trial[3][l] = xy;
+        trial[4][l] = xz;
+        trial[5][l] = yz;
+      }
+
+    // Sine and cosine cost as much as all of that; often they are the same.
+    double                variables[7], known[7] = {};
+    const unsigned int    n_variables = number_of_plastic_strain() + 1;
+    MohrCoulombStrength   strength    = {};
+    bool                  is_known    = false;
+    SymmetricTensor<2, 3> strain, stress;
+    for (unsigned int l = 0; l < n_points; ++l)
+      {
+        for (unsigned int v = 0; v < n_variables; ++v)
+          variables[v] = block.variables[v][l];
+        if (!is_known || !std::equal(variables, variables + n_variables, known))
+          {
+            strength = strength_at(plastic[l], variables);
+            std::copy_n(variables, n_variables, known);
+            is_known = true;
+          }
+        const double excess = q[l] / sqrt_3 +
+                              strength.sin_phi * (p[l] + third * q[l]) -
+                              strength.cohesion * strength.cos_phi;
+        if (excess < 0. && p[l] + 2. * third * q[l] < strength.tension)
+          {
+            for (unsigned int a = 0; a < 6; ++a)
+              block.stress[a][l] = trial[a][l];
+            block.dissipation[l] = 0.;
+            continue;
+          }
+        for (unsigned int a = 0; a < 6; ++a)
+          {
+            strain.access_raw_entry(a) = block.strain_increment[a][l];
+            stress.access_raw_entry(a) = block.stress[a][l];
+          }
+        block.dissipation[l] = update(strain, stress, variables, nullptr);
+        for (unsigned int a = 0; a < 6; ++a)
+          block.stress[a][l] = stress.access_raw_entry(a);
+        block.variables[n_variables - 1][l] = variables[n_variables - 1];
+      }
+  }
+} // namespace Waker

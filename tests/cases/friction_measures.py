@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is measured of the cases with friction, and what others found.
+
+Shared by mohr_coulomb.py here and in contrib/verification.
+"""
+
+import math
+
+import numpy as np
+
+SLOPE = "verification/slope_friction.prm"
+FOOTING = "verification/strip_footing_friction.prm"
+COLUMN = "verification/granular_column.prm"
+SOIL = "Materials/soil/"
+COHESION, HALF_WIDTH, RATE = 10.0, 0.5, 0.0005  # kPa, m, m per s
+
+# Surface of the pile at rest (m), Bui et al. 2008.
+MEASURED = np.array([(0.100, 0.0776), (0.160, 0.0616), (0.200, 0.0474),
+                     (0.241, 0.0348), (0.302, 0.0215), (0.362, 0.0109),
+                     (0.402, 0.0037), (0.442, 0.0015)])
+
+
+def n_c(angle):
+    """Prandtl's factor of the cohesion."""
+    phi = math.radians(angle)
+    return (math.exp(math.pi * math.tan(phi))
+            * math.tan(math.pi / 4 + phi / 2)**2 - 1) / math.tan(phi)
+
+
+def load(run):
+    """Load over cohesion and half the width, by step."""
+    settlement = RATE * run.statistics["Time (s)"]
+    return (np.diff(run.statistics["Work of the supports (kJ)"])
+            / np.diff(settlement) / COHESION / HALF_WIDTH)
+
+
+def heights(run, width=0.008):
+    """Height of the soil (m) in columns around the measured places."""
+    points = run.points()
+    x = points["position"][:, 0]
+    return np.array([points["volume"][np.abs(x - at) < width / 2].sum() / width
+                     for at, _ in MEASURED])
+
+
+def front(run, height=0.0015, width=0.008):
+    """The last place (m) at which the soil has this height."""
+    points = run.points()
+    edges = np.arange(0.2, 0.6, width)
+    there, _ = np.histogram(points["position"][:, 0], edges,
+                            weights=points["volume"])
+    middle = 0.5 * (edges[1:] + edges[:-1])
+    last = np.nonzero(there / width >= height)[0][-1]
+    return float(np.interp(height, [there[last + 1] / width, there[last] / width],
+                           [middle[last + 1], middle[last]]))

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Random fields of cohesion and friction angle.
+#include <waker/base/errors.h>
+
+#include "campaign_random_dyke.h"
+#include "user_errors.h"
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace campaign_random_friction
+{
+  using namespace Waker;
+  using namespace RandomDyke;
+
+  namespace
+  {
+    std::unique_ptr<Input>
+    sand(std::vector<std::string> more)
+    {
+      const std::string clay = "Materials/clay/";
+      for (const char *const text : {"Model=Mohr-Coulomb",
+                                     "Cohesion=8",
+                                     "Friction angle=30",
+                                     "Dilatancy angle=10",
+                                     "Softening strain=0.5",
+                                     "Residual cohesion=2",
+                                     "Residual friction angle=24",
+                                     "Residual dilatancy angle=0"})
+        more.push_back(clay + text);
+      more.push_back("Water/Side=none");
+      return coarse(more);
+    }
+
+
+    std::pair<double, double>
+    range(const std::vector<double> &values)
+    {
+      const auto [low, high] =
+        std::minmax_element(values.begin(), values.end());
+      return {*low, *high};
+    }
+  } // namespace
+
+
+  TEST(RandomProperties, a_field_of_the_friction_angle)
+  {
+    const Drawn drawn(*sand({field + "Property=friction angle",
+                             field + "Coefficient of variation=0.1"}));
+    const auto [low, high] = range(drawn.values("friction angle"));
+    EXPECT_LT(low, 30. - 3.); // more than a standard deviation
+    EXPECT_GT(high, 30. + 3.);
+    const std::size_t n = drawn.state.points.n_points();
+    for (std::size_t q = 0; q < n; ++q)
+      ASSERT_NEAR(drawn.values("residual friction angle")[q],
+                  0.8 * drawn.values("friction angle")[q],
+                  1e-12);
+    // Nothing else goes along.
+    EXPECT_EQ(range(drawn.values("cohesion")), std::make_pair(8., 8.));
+    EXPECT_EQ(range(drawn.values("residual cohesion")), std::make_pair(2., 2.));
+    EXPECT_EQ(range(drawn.values("dilatancy angle")), std::make_pair(10., 10.));
+    // No angle is too large to have a tangent.
+    const Drawn wild(*sand({field + "Property=friction angle",
+                            field + "Coefficient of variation=2"}));
+    EXPECT_EQ(range(wild.values("friction angle")), std::make_pair(0., 89.));
+  }
+
+
+  TEST(RandomProperties, a_field_of_the_cohesion)
+  {
+    const Drawn drawn(*sand({field + "Property=cohesion"}));
+    const auto [low, high] = range(drawn.values("cohesion"));
+    EXPECT_LT(low, 8. - 1.6);
+    EXPECT_GT(high, 8. + 1.6);
+    for (std::size_t q = 0; q < drawn.state.points.n_points(); ++q)
+      ASSERT_NEAR(drawn.values("residual cohesion")[q],
+                  0.25 * drawn.values("cohesion")[q],
+                  1e-12);
+    EXPECT_EQ(range(drawn.values("friction angle")), std::make_pair(30., 30.));
+  }
+
+
+  TEST(RandomProperties, a_field_of_what_the_law_has_not)
+  {
+    EXPECT_USER_ERROR(Drawn(*sand({})),
+                      "Random fields/strength/Property",
+                      "undrained shear strength");
+    EXPECT_USER_ERROR(Drawn(*coarse({field + "Property=cohesion"})),
+                      "Random fields/strength/Property",
+                      "cohesion");
+  }
+} // namespace campaign_random_friction

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Water in the ground: its pressure, its nodal forces, and effective stress in
+// situ.
+#include <waker/base/errors.h>
+#include <waker/case/case.h>
+#include <waker/case/state.h>
+#include <waker/loads/pore_water.h>
+#include <waker/program/parameter_reader.h>
+
+#include "mapping_lattice.h"
+#include "user_errors.h"
+#include <fstream>
+#include <gtest/gtest.h>
+#include <map>
+#include <unistd.h>
+
+namespace loads_pore_water
+{
+  using namespace Waker;
+
+  namespace
+  {
+    PoreWaterParameters
+    line(const std::string &text, const double suction = 0.)
+    {
+      PoreWaterParameters p;
+      p.phreatic_line   = text;
+      p.largest_suction = suction;
+      return p;
+    }
+
+
+    /// Level ground, 4 m of sand, in a box with smooth sides.
+    std::unique_ptr<Parameters>
+    ground(const std::vector<std::string> &more)
+    {
+      const std::string path = testing::TempDir() + "waker_pore_water_" +
+                               std::to_string(getpid()) + ".prm";
+      std::ofstream(path) << R"(
+subsection Grid
+  set Lower corner = 0, 0
+  set Upper corner = 3, 5
+  set Cell size    = 0.25
+end
+subsection Materials
+  set Names = sand
+  subsection sand
+    set Model                 = Mohr-Coulomb
+    set Unit weight           = 16
+    set Saturated unit weight = 20
+    set Poisson's ratio       = 0.3
+    set Cohesion              = 0
+    set Friction angle        = 30
+  end
+end
+subsection Soil profile
+  set Layers = ground
+  subsection ground
+    set Material = sand
+    set Polygon  = 0, 0; 3, 0; 3, 4; 0, 4
+  end
+end
+subsection Boundary conditions
+  set Names = base, left side, right side
+  subsection base
+    set Region = bottom
+    set Type   = fixed
+  end
+  subsection left side
+    set Region = left
+    set Type   = roller
+  end
+  subsection right side
+    set Region = right
+    set Type   = roller
+  end
+end
+subsection Pore water
+  set Phreatic line = 0, 3; 3, 3
+end
+)";
+      return read_parameters(path, more);
+    }
+  } // namespace
+
+
+  TEST(Loads, pore_pressure_is_hydrostatic_below_the_line)
+  {
+    const PoreWater<2> water(line("0, 2; 4, 4; 10, 4"), 10., {true});
+    EXPECT_NEAR(water.pressure({2., 1.}), 20., 1e-13);  // 3 m high there
+    EXPECT_NEAR(water.pressure({-5., 1.}), 10., 1e-13); // level beyond the ends
+    EXPECT_NEAR(water.pressure({50., 1.}), 30., 1e-13);
+    EXPECT_EQ(water.pressure({4., 4.}), 0.);
+    EXPECT_EQ(water.pressure({6., 5.}), 0.);
+    const PoreWater<3> dry(line("0, 2; 4, 4", 15.), 10., {true});
+    EXPECT_NEAR(dry.pressure({4., 5., 7.}), -10., 1e-13);
+    EXPECT_NEAR(dry.pressure({4., 9., 7.}), -15., 1e-13);
+  }
+
+
+  TEST(Loads, phreatic_lines_that_are_none)
+  {
+    const std::string path = "Pore water/Phreatic line";
+    EXPECT_USER_ERROR(line("0, 2").check(), path, "1 corner");
+    EXPECT_USER_ERROR(line("0, 2; 0, 3").check(), path, "x = 0 m after");
+    EXPECT_USER_ERROR(line("0, 2; 5; 6, 2").check(), path, "\"5\"");
+    EXPECT_USER_ERROR(line("0, 2; 5, 2", -1.).check(),
+                      "Pore water/Largest suction",
+                      "-1");
+    EXPECT_NO_THROW(line("0, 2; 5, 2;").check());
+    EXPECT_NO_THROW(line("").check());
+    EXPECT_USER_ERROR(ground({"Pore water/Phreatic line=0, 3; 2.5, 3"}),
+                      "--set " + path,
+                      "\"ground\" to 3 m");
+  }
+
+
+  TEST(Loads, pore_water_takes_part_in_laws_of_effective_stress)
+  {
+    // The forces are those of a stress u 1 of these points, and none in sum.
+    Lattice::Random         random(503);
+    const BackgroundGrid<2> grid(Lattice::grid<2>(1.5, 0.25));
+    MaterialPoints<2>       points = Lattice::box(Point<2>(0.3, 0.35), 4, 0.11);
+    for (unsigned int p = 0; p < points.n_points(); ++p)
+      points.material[p] = p % 2;
+    Weights<2> weights(grid, ShapeFunctions::gimp);
+    weights.reinit(points);
+    const PoreWater<2> water(line("-9, 3; 9, 5"), 10., {false, true});
+    water.record(points);
+    NodalVector force(grid.n_dofs());
+    water.add_nodal_forces(points, weights, force);
+    const auto u =
+      Lattice::linear_field(grid, random.matrix<2>(-1., 1.), Tensor<1, 2>());
+    const double before = u * force;
+    Tensor<2, 2> A;
+    double       expected = 0.;
+    const auto   at       = [&](const unsigned int node, const int c) {
+      return u.begin()[2 * node + c];
+    };
+    // The gradient of a linear field from two nodes of a cell.
+    for (unsigned int c = 0; c < 2; ++c)
+      for (unsigned int d = 0; d < 2; ++d)
+        A[c][d] = (at(grid.stride(d), c) - at(0, c)) * grid.inverse_cell_size();
+    for (unsigned int p = 1; p < points.n_points(); p += 2)
+      expected +=
+        points.volume[p] * water.pressure(points.position[p]) * trace(A);
+    EXPECT_GT(std::abs(expected), 1.);
+    EXPECT_NEAR(before, expected, 1e-10 * std::abs(expected));
+    double sum[2] = {0., 0.};
+    for (unsigned int i = 0; i < grid.n_dofs(); ++i)
+      sum[i % 2] += force.begin()[i];
+    EXPECT_NEAR(sum[0], 0., 1e-10);
+    EXPECT_NEAR(sum[1], 0., 1e-10);
+  }
+
+
+  TEST(Loads, effective_stress_in_situ_is_that_of_buoyant_soil)
+  {
+    const auto    parameters = ground({});
+    const Case<2> the_case(*parameters, MPI_COMM_SELF);
+    const auto   &points = the_case.initial_points;
+    const auto   &u      = points.scalar("pore pressure");
+    // Linear elements have one stress in a cell, that of its middle.
+    std::map<int, std::pair<double, unsigned int>> rows; // of cells
+    for (std::size_t p = 0; p < points.n_points(); ++p)
+      {
+        const double y = points.position[p][1];
+        auto &[sum, n] = rows[int(y / 0.25)];
+        sum += points.stress[p][1][1];
+        ++n;
+        ASSERT_NEAR(points.stress[p][0][0],
+                    0.3 / 0.7 * points.stress[p][1][1],
+                    1e-6);
+        EXPECT_NEAR(u[p], std::max(10. * (3. - y), 0.), 1e-12);
+      }
+    EXPECT_EQ(rows.size(), 16u);
+    for (const auto &[row, stress] : rows)
+      {
+        // 16 kN/m^3 down to the water at 3 m, then 20 - 10.
+        const double y = 0.25 * (row + 0.5);
+        EXPECT_NEAR(stress.first / stress.second,
+                    y > 3. ? -16. * (4. - y) : -16. - (20. - 10.) * (3. - y),
+                    1e-6)
+          << y;
+      }
+    // The weight is that of the soil with its water.
+    double mass = 0.;
+    for (const double m : points.mass)
+      mass += m;
+    EXPECT_NEAR(mass * parameters->gravity.acceleration,
+                3. * (16. + 3. * 20.),
+                1e-9);
+    // Of total stress, the law has it all.
+    const auto    clay = ground({"Materials/sand/Model=von Mises softening",
+                                 "Materials/sand/Initial strength=500"});
+    const Case<2> undrained(*clay, MPI_COMM_SELF);
+    const auto   &all = undrained.initial_points;
+    for (std::size_t p = 0; p < all.n_points(); ++p)
+      if (all.position[p][1] < 1.)
+        {
+          ASSERT_NEAR(all.stress[p][1][1],
+                      -(16. + 20. * (3. - all.position[p][1])),
+                      20. * 0.0625 + 1e-6); // half a point
+        }
+  }
+} // namespace loads_pore_water
