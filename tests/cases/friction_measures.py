@@ -9,6 +9,7 @@ import math
 import numpy as np
 
 SLOPE = "verification/slope_friction.prm"
+DRAWDOWN = "verification/slope_drawdown.prm"
 FOOTING = "verification/strip_footing_friction.prm"
 COLUMN = "verification/granular_column.prm"
 SOIL = "Materials/soil/"

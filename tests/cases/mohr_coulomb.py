@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Soil with friction: a slope and a footing against published numbers, and a pile
-of bars that spreads (doc/verification/mohr_coulomb.md).
+"""Soil with friction: a slope and a footing against published numbers, a slope
+with water in it, and a pile of bars that spreads (doc/verification/mohr_coulomb.md,
+pore_water.md).
 
 usage: mohr_coulomb.py WAKER SOURCE_DIRECTORY [--long]
 """
@@ -9,8 +10,8 @@ usage: mohr_coulomb.py WAKER SOURCE_DIRECTORY [--long]
 import sys
 
 import numpy as np
-from friction_measures import (COLUMN, FOOTING, HALF_WIDTH, MEASURED, SLOPE,
-                               front, heights, load, n_c)
+from friction_measures import (COLUMN, DRAWDOWN, FOOTING, HALF_WIDTH, MEASURED,
+                               SLOPE, front, heights, load, n_c)
 from waker_case import Checks, workspace_of_arguments
 
 
@@ -57,6 +58,24 @@ def main():
         checks.between("  cells of 1 m", coarse[0], 1.41, 1.47)
         checks.between("  with double mapping", coarse[1] - coarse[0],
                        -0.007, 0.007)
+
+        # Water in the ground and outside, and half the weight without either.
+        coarse = {"Grid/Cell size": 1, "Time stepping/Time step": 0.02}
+        under = work.factor_of_safety("under", DRAWDOWN, {
+            **coarse, "Tractions/reservoir/Level": 10,
+            "Pore water/Phreatic line": "-1, 10; 47, 10"})
+        light = work.factor_of_safety("light", DRAWDOWN, {
+            **coarse, "Materials/soil/Unit weight": 10, "Tractions/Names": "",
+            "Pore water/Phreatic line": ""})
+        checks.between("under water over buoyant weight",
+                       under["factor_of_safety"] / light["factor_of_safety"],
+                       0.97, 1.03)
+        lowered = work.factor_of_safety(
+            "lowered", DRAWDOWN, {"Strength reduction/Lower factor": 1.28,
+                                  "Strength reduction/Upper factor": 1.36})
+        checks.between("water 7 m below the crest: factor over 1.3",
+                       lowered["factor_of_safety"] / 1.3, 0.97, 1.03)
+        checks.between("  as before", lowered["factor_of_safety"], 1.315, 1.331)
 
         run = work.run("footing", FOOTING, {"Time stepping/Time step": 2})
         checks.equal("footing: steps that did not converge",
