@@ -14,7 +14,6 @@ namespace Waker
   namespace
   {
     const double degree = std::acos(-1.) / 180.;
-    const double sqrt_3 = std::sqrt(3.);
 
 
     /// The largest principal stress that cohesion and friction admit (kPa).
@@ -277,78 +276,5 @@ namespace Waker
     for (unsigned int d = 0; d < 3; ++d)
       dissipation += result.stress[d] * result.plastic_strain[d];
     return dissipation;
-  }
-
-
-  void
-  MohrCoulomb::update_block(const unsigned int n_points, Block &block) const
-  {
-    // The elastic stress of all points, and a cone within the surface: of those
-    // inside nothing else need be known. (s_1 - s_3) <= 2 q / sqrt(3),
-    // (s_1 + s_3) / 2 <= p + q / 3 and s_1 <= p + 2 q / 3, with q = sqrt(3
-    // J_2).
-    const double        lame = K - 2. / 3. * G, two_G = 2. * G, third = 1. / 3.;
-    const double *const plastic = block.variables[number_of_plastic_strain()];
-    double              p[block_size], q[block_size], trial[6][block_size];
-#pragma GCC ivdep
-    for (unsigned int l = 0; l < block_size; ++l)
-      {
-        const double(*const e)[block_size] = block.strain_increment;
-        const double(*const s)[block_size] = block.stress;
-        const double add = lame * (e[0][l] + e[1][l] + e[2][l]);
-        const double xx  = s[0][l] + two_G * e[0][l] + add;
-        const double yy  = s[1][l] + two_G * e[1][l] + add;
-        const double zz  = s[2][l] + two_G * e[2][l] + add;
-        const double xy  = s[3][l] + two_G * e[3][l];
-        const double xz  = s[4][l] + two_G * e[4][l];
-        const double yz  = s[5][l] + two_G * e[5][l];
-        p[l]             = (xx + yy + zz) * third;
-        const double a = xx - p[l], b = yy - p[l], c = zz - p[l];
-        q[l] = std::sqrt(
-          1.5 * (a * a + b * b + c * c + 2. * (xy * xy + xz * xz + yz * yz)));
-        trial[0][l] = xx;
-        trial[1][l] = yy;
-        trial[2][l] = zz;
-        trial[3][l] = xy;
-        trial[4][l] = xz;
-        trial[5][l] = yz;
-      }
-
-    // Sine and cosine cost as much as all of that; often they are the same.
-    double                variables[7], known[7] = {};
-    const unsigned int    n_variables = number_of_plastic_strain() + 1;
-    MohrCoulombStrength   strength    = {};
-    bool                  is_known    = false;
-    SymmetricTensor<2, 3> strain, stress;
-    for (unsigned int l = 0; l < n_points; ++l)
-      {
-        for (unsigned int v = 0; v < n_variables; ++v)
-          variables[v] = block.variables[v][l];
-        if (!is_known || !std::equal(variables, variables + n_variables, known))
-          {
-            strength = strength_at(plastic[l], variables);
-            std::copy_n(variables, n_variables, known);
-            is_known = true;
-          }
-        const double excess = q[l] / sqrt_3 +
-                              strength.sin_phi * (p[l] + third * q[l]) -
-                              strength.cohesion * strength.cos_phi;
-        if (excess < 0. && p[l] + 2. * third * q[l] < strength.tension)
-          {
-            for (unsigned int a = 0; a < 6; ++a)
-              block.stress[a][l] = trial[a][l];
-            block.dissipation[l] = 0.;
-            continue;
-          }
-        for (unsigned int a = 0; a < 6; ++a)
-          {
-            strain.access_raw_entry(a) = block.strain_increment[a][l];
-            stress.access_raw_entry(a) = block.stress[a][l];
-          }
-        block.dissipation[l] = update(strain, stress, variables, nullptr);
-        for (unsigned int a = 0; a < 6; ++a)
-          block.stress[a][l] = stress.access_raw_entry(a);
-        block.variables[n_variables - 1][l] = variables[n_variables - 1];
-      }
   }
 } // namespace Waker

@@ -76,6 +76,13 @@ namespace Waker
     void
     update_block(const unsigned int n_points, Block &block) const override;
 
+    void
+    tangent_block(const unsigned int  n_points,
+                  Block              &block,
+                  const unsigned int  n_components,
+                  const unsigned int *components,
+                  double (*tangent)[block_size]) const override;
+
     bool
     is_of_effective_stress() const override
     {
@@ -100,6 +107,14 @@ namespace Waker
     {
       return softens() ? 6 : 3;
     }
+
+    /// The elastic stresses (kPa) of a block's points, and which of these stay
+    /// as they are: surely, of others it is not known.
+    void
+    find_elastic(const unsigned int n_points,
+                 const Block       &block,
+                 double (&trial)[6][block_size],
+                 bool (&is_elastic)[block_size]) const;
 
     /// At a plastic strain.
     /// @param rate if not null: its derivative

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Mohr-Coulomb of 16 points at a time: what is far from yield costs little.
+#include <waker/materials/mohr_coulomb.h>
+
+#include "mohr_coulomb_return.h"
+#include <algorithm>
+#include <cmath>
+
+namespace Waker
+{
+  void
+  MohrCoulomb::find_elastic(const unsigned int n_points,
+                            const Block       &block,
+                            double (&trial)[6][block_size],
+                            bool (&is_elastic)[block_size]) const
+  {
+    // A cone within the surface: (s_1 - s_3) <= 2 q / sqrt(3),
+    // (s_1 + s_3) / 2 <= p + q / 3 and s_1 <= p + 2 q / 3, q = sqrt(3 J_2).
+    const double lame = K - 2. / 3. * G, two_G = 2. * G, third = 1. / 3.;
+    const double per_sqrt_3 = 1. / std::sqrt(3.);
+    double       p[block_size], q[block_size];
+    const double(*const e)[block_size] = block.strain_increment;
+    const double(*const s)[block_size] = block.stress;
+#pragma GCC ivdep
+    for (unsigned int l = 0; l < block_size; ++l)
+      {
+        const double add = lame * (e[0][l] + e[1][l] + e[2][l]);
+        const double xx  = s[0][l] + two_G * e[0][l] + add;
+        const double yy  = s[1][l] + two_G * e[1][l] + add;
+        const double zz  = s[2][l] + two_G * e[2][l] + add;
+        const double xy  = s[3][l] + two_G * e[3][l];
+        const double xz  = s[4][l] + two_G * e[4][l];
+        const double yz  = s[5][l] + two_G * e[5][l];
+        const double m   = (xx + yy + zz) * third;
+        const double a = xx - m, b = yy - m, c = zz - m;
+        p[l] = m;
+        q[l] = std::sqrt(
+          1.5 * (a * a + b * b + c * c + 2. * (xy * xy + xz * xz + yz * yz)));
+        trial[0][l] = xx;
+        trial[1][l] = yy;
+        trial[2][l] = zz;
+        trial[3][l] = xy;
+        trial[4][l] = xz;
+        trial[5][l] = yz;
+      }
+
+    // Sine and cosine cost as much as all of that; neighbours often have the
+    // same strengths. Without softening the plastic strain is none of them.
+    const unsigned int  plastic      = number_of_plastic_strain();
+    const unsigned int  n_matters    = softens() ? plastic + 1 : plastic;
+    double              variables[7] = {};
+    MohrCoulombStrength strength     = {};
+    for (unsigned int l = 0; l < n_points; ++l)
+      {
+        bool is_new = l == 0;
+        for (unsigned int v = 0; v < n_matters; ++v)
+          {
+            is_new       = is_new || variables[v] != block.variables[v][l];
+            variables[v] = block.variables[v][l];
+          }
+        if (is_new)
+          strength = strength_at(block.variables[plastic][l], variables);
+        is_elastic[l] =
+          q[l] * per_sqrt_3 + strength.sin_phi * (p[l] + third * q[l]) <
+            strength.cohesion * strength.cos_phi &&
+          p[l] + 2. * third * q[l] < strength.tension;
+      }
+  }
+
+
+  void
+  MohrCoulomb::update_block(const unsigned int n_points, Block &block) const
+  {
+    // Of those inside the cone nothing else need be known.
+    double trial[6][block_size];
+    bool   is_elastic[block_size];
+    find_elastic(n_points, block, trial, is_elastic);
+    const unsigned int    plastic = number_of_plastic_strain();
+    double                variables[7];
+    SymmetricTensor<2, 3> strain, stress;
+    for (unsigned int l = 0; l < n_points; ++l)
+      if (is_elastic[l])
+        {
+          for (unsigned int a = 0; a < 6; ++a)
+            block.stress[a][l] = trial[a][l];
+          block.dissipation[l] = 0.;
+        }
+      else
+        {
+          for (unsigned int v = 0; v <= plastic; ++v)
+            variables[v] = block.variables[v][l];
+          for (unsigned int a = 0; a < 6; ++a)
+            {
+              strain.access_raw_entry(a) = block.strain_increment[a][l];
+              stress.access_raw_entry(a) = block.stress[a][l];
+            }
+          block.dissipation[l] = update(strain, stress, variables, nullptr);
+          for (unsigned int a = 0; a < 6; ++a)
+            block.stress[a][l] = stress.access_raw_entry(a);
+          block.variables[plastic][l] = variables[plastic];
+        }
+  }
+
+
+  void
+  MohrCoulomb::tangent_block(const unsigned int  n_points,
+                             Block              &block,
+                             const unsigned int  n_components,
+                             const unsigned int *components,
+                             double (*tangent)[block_size]) const
+  {
+    double trial[6][block_size];
+    bool   is_elastic[block_size];
+    find_elastic(n_points, block, trial, is_elastic);
+    for (unsigned int a = 0; a < n_components; ++a)
+      for (unsigned int b = 0; b < n_components; ++b)
+        std::fill_n(tangent[n_components * a + b],
+                    block_size,
+                    elastic_tangent.access_raw_entry(6 * components[a] +
+                                                     components[b]));
+    double                variables[7];
+    SymmetricTensor<2, 3> strain, stress;
+    SymmetricTensor<4, 3> D;
+    for (unsigned int l = 0; l < n_points; ++l)
+      if (!is_elastic[l])
+        {
+          for (unsigned int v = 0; v <= number_of_plastic_strain(); ++v)
+            variables[v] = block.variables[v][l];
+          for (unsigned int a = 0; a < 6; ++a)
+            {
+              strain.access_raw_entry(a) = block.strain_increment[a][l];
+              stress.access_raw_entry(a) = block.stress[a][l];
+            }
+          update(strain, stress, variables, &D);
+          for (unsigned int a = 0; a < n_components; ++a)
+            for (unsigned int b = 0; b < n_components; ++b)
+              tangent[n_components * a + b][l] =
+                D.access_raw_entry(6 * components[a] + components[b]);
+        }
+  }
+} // namespace Waker
