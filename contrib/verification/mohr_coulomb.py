@@ -107,7 +107,7 @@ def pile(work):
         print("| %g° | %.1f mm | %.3f m | %+.1f %% |"
               % (angle, 1e3 * rms, front, 100 * rows[-1][3]), flush=True)
         points = run.points()
-        draw_points(axes, points, points["plastic strain"], cmap="viridis",
+        draw_points(axes, points, points["plastic_strain"], cmap="viridis",
                     vmin=0.0, vmax=2.0)
         axes.plot(*measures.MEASURED.T, "o-", color="C3", markersize=4,
                   label="measured, 19.8°")

@@ -40,7 +40,7 @@ def drawdown(work, cell):
 
 
 def buoyant(work):
-    """Under water, three ways: pore water and reservoir; half the weight."""
+    """Under water, two ways: pore water and reservoir; half the weight."""
     cell = {"Grid/Cell size": 0.5}
     under = factor(work, "under", {
         **cell, "Tractions/reservoir/Level": HEIGHT,

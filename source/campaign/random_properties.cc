@@ -126,6 +126,8 @@ namespace Waker
         for (const MaterialVariable &variable :
              the_case.materials[material]->variables())
           {
+            if (targets.empty() && variable.name == target.property)
+              unit_of_first = variable.unit;
             if (variable.goes_along_with != target.property)
               continue;
             bool alone = false;
@@ -134,6 +136,8 @@ namespace Waker
                                 material_number(the_case, other) == material);
             if (alone)
               continue;
+            AssertThrow(target.residual.empty(),
+                        ExcMessage("two variables go along with one"));
             const auto initial = [&](const std::string &name) {
               return points.scalars[points.find_scalar(name)].values.data();
             };
@@ -142,7 +146,7 @@ namespace Waker
             target.residual         = variable.name;
             for (const std::size_t q : target.points)
               target.residual_ratio.push_back(c_i[q] > 0. ? c_r[q] / c_i[q]
-                                                          : 0.);
+                                                          : 1.);
           }
         targets.push_back(std::move(target));
       }

@@ -9,7 +9,8 @@ namespace Waker
 {
   namespace
   {
-    /// "<title>: mean 12.7, least 9.1 kPa" of the first field's property.
+    /// "<title>: mean 12.7, least 9.1 kPa" (or its unit) of the first field's
+    /// property.
     template <int dim>
     std::string
     mean_and_least(const std::string           &title,
@@ -18,9 +19,8 @@ namespace Waker
     {
       const auto [mean, least] = properties.mean_and_least(state);
       char text[80];
-      std::snprintf(
-        text, sizeof text, ": mean %.3f, least %.3f kPa", mean, least);
-      return title + text;
+      std::snprintf(text, sizeof text, ": mean %.3f, least %.3f ", mean, least);
+      return title + text + properties.unit();
     }
   } // namespace
 

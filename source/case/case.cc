@@ -53,8 +53,11 @@ namespace Waker
 
     /// Saturated weight over the unit weight.
     double
-    saturation(const MaterialParameters &material)
+    saturation(const Parameters &parameters, const unsigned int m)
     {
+      if (!parameters.pore_water.is_there() || m >= parameters.materials.size())
+        return 1.;
+      const MaterialParameters &material = parameters.materials[m];
       return material.saturated_unit_weight > 0.
                ? material.saturated_unit_weight / material.unit_weight
                : 1.;
@@ -67,10 +70,7 @@ namespace Waker
       double largest = 0.;
       for (unsigned int m = 0; m < materials.size(); ++m)
         largest = std::max(largest,
-                           materials[m]->density() *
-                             (m < parameters.materials.size()
-                                ? saturation(parameters.materials[m])
-                                : 1.));
+                           materials[m]->density() * saturation(parameters, m));
       return largest;
     }
 
@@ -88,17 +88,16 @@ namespace Waker
     /// The soil below the phreatic line gets its saturated weight.
     template <int dim>
     void
-    saturate(const PoreWater<dim>                  &pore_water,
-             const std::vector<MaterialParameters> &materials,
-             MaterialPoints<dim>                   &points)
+    saturate(const PoreWater<dim> &pore_water,
+             const Parameters     &parameters,
+             MaterialPoints<dim>  &points)
     {
       if (pore_water.empty())
         return;
       for (std::size_t p = 0; p < points.n_points(); ++p)
-        if (points.material[p] < materials.size() &&
-            pore_water.height(points.initial_position[p][0]) >
-              points.initial_position[p][1])
-          points.mass[p] *= saturation(materials[points.material[p]]);
+        if (pore_water.height(points.initial_position[p][0]) >
+            points.initial_position[p][1])
+          points.mass[p] *= saturation(parameters, points.material[p]);
     }
   } // namespace
 
@@ -124,7 +123,7 @@ namespace Waker
     , riding_loads(p.tractions.size())
   {
     initial_points = make_soil(grid, p, materials, &layers_of_points);
-    saturate(pore_water, p.materials, initial_points);
+    saturate(pore_water, p, initial_points);
     flow.fill(initial_points);
     layers_of_points.resize(initial_points.n_points(), depths.n_layers());
     apply_point_loads(undriven_point_loads(p),

@@ -274,6 +274,26 @@ namespace Waker
                 "all soil if that is dry), or Water/Side = none");
           return;
         }
+      for (const MaterialParameters &material : p.materials)
+        {
+          const std::string path =
+            "Materials/" + material.name + "/Saturated unit weight";
+          if (!(material.saturated_unit_weight > 0.))
+            continue;
+          // Its volume without strain is that of the mass and the density.
+          if (p.mapping.strain == StrainMeasure::logarithmic)
+            throw UserError(path,
+                            "is " + number(material.saturated_unit_weight) +
+                              " kN/m^3, with logarithmic strain",
+                            "0, or Kinematics and mapping/Strain = step");
+          for (const InflowParameters &inflow : p.inflows)
+            if (inflow.material == material.name)
+              throw UserError(path,
+                              "is " + number(material.saturated_unit_weight) +
+                                " kN/m^3, but the soil flows in (Inflow/" +
+                                inflow.name + "), above the line or below",
+                              "0 for soil that flows in");
+        }
       const auto line = p.pore_water.corners();
       for (const LayerParameters &layer : p.layers)
         for (const auto &corner : layer.corners())

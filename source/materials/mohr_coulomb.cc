@@ -20,6 +20,8 @@ namespace Waker
     double
     apex(const double cohesion, const double sin_phi, const double cos_phi)
     {
+      if (cohesion == 0.)
+        return 0.;
       return sin_phi > 0. ? cohesion * cos_phi / sin_phi
                           : std::numeric_limits<double>::infinity();
     }
@@ -253,8 +255,9 @@ namespace Waker
           const auto at_k = map(trial.value, strength_at(k, variables));
           return MohrCoulombReturn::equivalent(at_k.plastic_strain);
         });
-    MohrCoulombStrength rate;
-    strength          = strength_at(end, variables, &rate);
+    MohrCoulombStrength rate = {};
+    if (softens())
+      strength = strength_at(end, variables, &rate);
     const auto result = map(trial.value, strength);
     plastic_strain += MohrCoulombReturn::equivalent(result.plastic_strain);
     stress = with_values(result.stress, trial.direction);

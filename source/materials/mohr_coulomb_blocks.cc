@@ -14,11 +14,13 @@ namespace Waker
                             double (&trial)[6][block_size],
                             bool (&is_elastic)[block_size]) const
   {
-    // A cone within the surface: (s_1 - s_3) <= 2 q / sqrt(3),
-    // (s_1 + s_3) / 2 <= p + q / 3 and s_1 <= p + 2 q / 3, q = sqrt(3 J_2).
-    const double lame = K - 2. / 3. * G, two_G = 2. * G, third = 1. / 3.;
+    // Half the difference and half the sum of the largest and the smallest
+    // principal stress, and the largest. In the plane they are known; in space
+    // they are at most q / sqrt(3), p + q / 6 and p + 2 q / 3, q = sqrt(3 J_2).
+    const double lame = K - 2. / 3. * G, two_G = 2. * G, third = 1. / 3.,
+                 sixth      = 1. / 6.;
     const double per_sqrt_3 = 1. / std::sqrt(3.);
-    double       p[block_size], q[block_size];
+    double       half[block_size], middle[block_size], largest[block_size];
     const double(*const e)[block_size] = block.strain_increment;
     const double(*const s)[block_size] = block.stress;
 #pragma GCC ivdep
@@ -33,15 +35,22 @@ namespace Waker
         const double yz  = s[5][l] + two_G * e[5][l];
         const double m   = (xx + yy + zz) * third;
         const double a = xx - m, b = yy - m, c = zz - m;
-        p[l] = m;
-        q[l] = std::sqrt(
+        const double q = std::sqrt(
           1.5 * (a * a + b * b + c * c + 2. * (xy * xy + xz * xz + yz * yz)));
-        trial[0][l] = xx;
-        trial[1][l] = yy;
-        trial[2][l] = zz;
-        trial[3][l] = xy;
-        trial[4][l] = xz;
-        trial[5][l] = yz;
+        const double centre = 0.5 * (xx + yy);
+        const double radius = std::sqrt(0.25 * (xx - yy) * (xx - yy) + xy * xy);
+        const double high   = std::max(centre + radius, zz);
+        const double low    = std::min(centre - radius, zz);
+        const bool   in_plane = xz == 0. && yz == 0.;
+        half[l]               = in_plane ? 0.5 * (high - low) : q * per_sqrt_3;
+        middle[l]             = in_plane ? 0.5 * (high + low) : m + q * sixth;
+        largest[l]            = in_plane ? high : m + 2. * third * q;
+        trial[0][l]           = xx;
+        trial[1][l]           = yy;
+        trial[2][l]           = zz;
+        trial[3][l]           = xy;
+        trial[4][l]           = xz;
+        trial[5][l]           = yz;
       }
 
     // Sine and cosine cost as much as all of that; neighbours often have the
@@ -60,10 +69,9 @@ namespace Waker
           }
         if (is_new)
           strength = strength_at(block.variables[plastic][l], variables);
-        is_elastic[l] =
-          q[l] * per_sqrt_3 + strength.sin_phi * (p[l] + third * q[l]) <
-            strength.cohesion * strength.cos_phi &&
-          p[l] + 2. * third * q[l] < strength.tension;
+        is_elastic[l] = half[l] + strength.sin_phi * middle[l] <
+                          strength.cohesion * strength.cos_phi &&
+                        largest[l] < strength.tension;
       }
   }
 
@@ -71,7 +79,7 @@ namespace Waker
   void
   MohrCoulomb::update_block(const unsigned int n_points, Block &block) const
   {
-    // Of those inside the cone nothing else need be known.
+    // Of those that are surely elastic nothing else need be known.
     double trial[6][block_size];
     bool   is_elastic[block_size];
     find_elastic(n_points, block, trial, is_elastic);

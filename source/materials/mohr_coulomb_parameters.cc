@@ -7,6 +7,7 @@
 #include <waker/materials/mohr_coulomb.h>
 
 #include "initial_expression.h"
+#include "mohr_coulomb_return.h"
 #include <cmath>
 #include <limits>
 
@@ -150,12 +151,21 @@ namespace Waker
                       "is " + in_digits(softening_strain),
                       "above 0, or 0 for no softening");
 
-    const auto c_r   = plain_number(residual_cohesion),
-               phi_r = plain_number(residual_friction),
-               psi_r = plain_number(residual_dilatancy);
+    // What is not given is as before.
+    const MohrCoulombParameters usual;
+    const auto                  left = [](const std::string           &text,
+                         const std::string           &same,
+                         const std::optional<double> &before) {
+      return text == same ? before : plain_number(text);
+    };
+    const auto c_r   = left(residual_cohesion, usual.residual_cohesion, c);
+    const auto phi_r = left(residual_friction, usual.residual_friction, phi);
+    const auto psi_r = left(residual_dilatancy,
+                            usual.residual_dilatancy,
+                            dilatancy_angle == "friction_angle" ? phi : psi);
+
     if (!(softening_strain > 0.))
       {
-        const MohrCoulombParameters usual;
         if (residual_cohesion != usual.residual_cohesion ||
             residual_friction != usual.residual_friction ||
             residual_dilatancy != usual.residual_dilatancy)
@@ -180,7 +190,8 @@ namespace Waker
       throw UserError(path + "Residual dilatancy angle",
                       "is " + in_digits(*psi_r) +
                         " degrees, the residual friction angle " +
-                        residual_friction + " degrees",
+                        (phi_r ? in_digits(*phi_r) : residual_friction) +
+                        " degrees",
                       "from 0 to the residual friction angle");
 
     const double least = snap_back_strain(elastic, softening_scale, 0.);
@@ -210,23 +221,22 @@ namespace Waker
                psi   = plain_number(dilatancy_angle);
     if (!phi)
       return 0.;
-    // The return to a plane, f / (n.D.g + df/dk dk/dm), must exist. With psi =
-    // 0 it is the least stiff.
+    // With psi = 0 it is the least stiff.
     const double degree  = std::acos(-1.) / 180.;
     const double sin_phi = std::sin(*phi * degree);
-    const double cos_phi = std::cos(*phi * degree);
     const double sin_psi = psi ? std::sin(*psi * degree) : 0.;
-    const double G       = elastic.shear_modulus();
-    const double K =
-      elastic.youngs_modulus / (3. * (1. - 2. * elastic.poissons_ratio));
-    const double stiffness =
-      4. * G * (1. + sin_phi * sin_psi / 3.) + 4. * K * sin_phi * sin_psi;
-    // Of the flow (1 + sin psi, 0, sin psi - 1).
-    const double strain =
-      2. / std::sqrt(3.) * std::sqrt(1. + sin_psi * sin_psi / 3.);
+    // The loss is per cos(phi), which grows as phi falls.
+    const double cos_phi =
+      std::cos(phi_r                                   ? *phi_r * degree
+               : residual_friction == "friction_angle" ? *phi * degree
+                                                       : 0.);
     const double fallen = c && c_r ? *c - *c_r : 0.; // kPa
     const double turned = phi_r ? (*phi - *phi_r) * degree : 0.;
-    return 2. * cos_phi * (fallen + turned * pressure) * strain / stiffness *
+    const double G      = elastic.shear_modulus();
+    const double lame =
+      2. * G * elastic.poissons_ratio / (1. - 2. * elastic.poissons_ratio);
+    return MohrCoulombReturn(G, lame).strain_of_loss(
+             sin_phi, sin_psi, 2. * cos_phi * (fallen + turned * pressure)) *
            softening_scale;
   }
 
@@ -238,6 +248,16 @@ namespace Waker
                     const double                   softening_scale,
                     const std::string             &path)
   {
+    // What is as before softening is a number where that is one.
+    const std::string dilatancy = p.dilatancy_angle == "friction_angle"
+                                    ? p.friction_angle
+                                    : p.dilatancy_angle;
+    const auto        residual  = [&](const std::string &text,
+                              const std::string &name,
+                              const std::string &before,
+                              const std::string &entry) {
+      return initial_value(text == name ? before : text, path + entry);
+    };
     const double tensile_strength =
       plain_number(p.tensile_strength)
         .value_or(std::numeric_limits<double>::infinity());
@@ -245,15 +265,26 @@ namespace Waker
       density,
       elastic.youngs_modulus,
       elastic.poissons_ratio,
-      MohrCoulomb::Angles{
-        initial_value(p.cohesion, path + "Cohesion"),
-        initial_value(p.friction_angle, path + "Friction angle"),
-        initial_value(p.dilatancy_angle, path + "Dilatancy angle")},
+      MohrCoulomb::Angles{initial_value(p.cohesion, path + "Cohesion"),
+                          initial_value(p.friction_angle,
+                                        path + "Friction angle"),
+                          residual(p.dilatancy_angle,
+                                   "friction_angle",
+                                   p.friction_angle,
+                                   "Dilatancy angle")},
       tensile_strength,
-      MohrCoulomb::Angles{
-        initial_value(p.residual_cohesion, path + "Residual cohesion"),
-        initial_value(p.residual_friction, path + "Residual friction angle"),
-        initial_value(p.residual_dilatancy, path + "Residual dilatancy angle")},
+      MohrCoulomb::Angles{residual(p.residual_cohesion,
+                                   "cohesion",
+                                   p.cohesion,
+                                   "Residual cohesion"),
+                          residual(p.residual_friction,
+                                   "friction_angle",
+                                   p.friction_angle,
+                                   "Residual friction angle"),
+                          residual(p.residual_dilatancy,
+                                   "dilatancy_angle",
+                                   dilatancy,
+                                   "Residual dilatancy angle")},
       p.softening_strain / softening_scale);
   }
 } // namespace Waker

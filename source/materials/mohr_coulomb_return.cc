@@ -137,6 +137,38 @@ namespace Waker
   }
 
 
+  double
+  MohrCoulombReturn::strain_of_loss(const double sin_phi,
+                                    const double sin_psi,
+                                    const double loss) const
+  {
+    Strength s     = {};
+    s.sin_phi      = sin_phi;
+    s.sin_psi      = sin_psi;
+    double largest = 0.;
+    for (const unsigned int other : {0u, 1u, 2u}) // 0: the face alone
+      {
+        const unsigned int n         = other == 0 ? 1 : 2;
+        const unsigned int planes[2] = {0, other};
+        double             A[2][2], x[2][1];
+        Principal          strain = {{0., 0., 0.}};
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            x[i][0] = loss;
+            for (unsigned int j = 0; j < n; ++j)
+              A[i][j] = dot(normal(planes[i], s), elastic(flow(planes[j], s)));
+          }
+        if (!solve(n, A, x))
+          continue;
+        for (unsigned int i = 0; i < n; ++i)
+          for (unsigned int d = 0; d < 3; ++d)
+            strain[d] += x[i][0] * flow(planes[i], s)[d];
+        largest = std::max(largest, equivalent(strain));
+      }
+    return largest;
+  }
+
+
   bool
   MohrCoulombReturn::holds(const Principal &trial, const Strength &strength)
   {

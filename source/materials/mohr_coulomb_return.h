@@ -72,6 +72,17 @@ namespace Waker
           const MohrCoulombStrength &rate,
           double (&slope)[3][3]) const;
 
+    /**
+     * The plastic strain, sqrt(2/3 e:e) of the deviator, by which planes that
+     * draw back by `loss` (kPa) let a stress on them go, if the body stays as
+     * it is: the largest of a face and the edges beside it. A plane that draws
+     * back faster, per plastic strain, snaps back.
+     */
+    double
+    strain_of_loss(const double sin_phi,
+                   const double sin_psi,
+                   const double loss) const;
+
     /// sqrt(2/3 e:e) of the deviator of a plastic strain.
     static double
     equivalent(const Principal &plastic_strain);

@@ -90,6 +90,21 @@ namespace Waker
 
 
   bool
+  MaterialParameters::is_drained() const
+  {
+    switch (model)
+      {
+        case MaterialModel::mohr_coulomb:
+          return true;
+        case MaterialModel::linear_elastic:
+        case MaterialModel::von_mises_softening:
+          return false;
+      }
+    return false;
+  }
+
+
+  bool
   MaterialParameters::has_friction() const
   {
     switch (model)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/expression_pattern.h>
 #include <waker/case/load_programmes.h>
+#include <waker/loads/water_level.h>
 #include <waker/mechanics/time_scheme.h>
 #include <waker/particles/layer_gaps.h>
 #include <waker/simulation/plausibility.h>
@@ -63,8 +64,7 @@ namespace Waker
                     std::none_of(p.materials.begin(),
                                  p.materials.end(),
                                  [](const MaterialParameters &m) {
-                                   return m.model ==
-                                            MaterialModel::mohr_coulomb ||
+                                   return m.is_drained() ||
                                           m.saturated_unit_weight != 0.;
                                  }),
                   "Pore water/Phreatic line",
@@ -123,19 +123,44 @@ namespace Waker
     void
     check_liquids(const Parameters &p, std::vector<std::string> &warnings)
     {
+      const bool is_drained =
+        std::any_of(p.materials.begin(),
+                    p.materials.end(),
+                    [](const MaterialParameters &m) { return m.is_drained(); });
       if (p.pore_water.is_there())
         {
           const auto   line = p.pore_water.corners();
-          const double end =
-            p.water.side == WaterSide::right ? line.back()[1] : line.front()[1];
-          std::ostringstream text;
-          if (p.water.stands() &&
-              std::abs(end - p.water.level) > p.grid.cell_size)
-            {
-              text << "Pore water/Phreatic line ends at " << end
-                   << " m, where the water stands at " << p.water.level << " m";
-              warnings.push_back(text.str());
-            }
+          const double left = line.front()[1], right = line.back()[1];
+          const auto   check =
+            [&](const std::string &path, const double level, const double end) {
+              std::ostringstream text;
+              text << "Pore water/Phreatic line ends at " << end << " m, but "
+                   << path << " is " << level << " m";
+              if (std::abs(end - level) > p.grid.cell_size)
+                warnings.push_back(text.str());
+            };
+          if (p.water.stands())
+            check("Water/Level",
+                  p.water.level,
+                  p.water.side == WaterSide::right ? right : left);
+          for (const TractionParameters &t : p.tractions)
+            if (const auto level = plain_number(t.level);
+                t.kind == TractionKind::hydrostatic && level)
+              check("Tractions/" + t.name + "/Level",
+                    *level,
+                    std::abs(left - *level) < std::abs(right - *level) ? left
+                                                                       : right);
+          bool moves = WaterLevel(p.water).moves();
+          for (const LoadProgrammeParameters &programme : p.load_programmes)
+            moves = moves || programme.drives == LoadTarget::water;
+          for (const TractionParameters &t : p.tractions)
+            moves = moves || (t.kind == TractionKind::hydrostatic &&
+                              !plain_number(t.level));
+          if (is_drained && moves)
+            warnings.push_back(
+              "Pore water/Phreatic line stays as it is, but the water outside "
+              "moves: what it adds presses the grains together, as on a "
+              "watertight skin");
           return;
         }
       const bool has_friction = std::any_of(p.materials.begin(),

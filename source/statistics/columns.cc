@@ -206,11 +206,11 @@ namespace Waker
      }},
 
     {"mean_strength",
-     "kPa",
+     "kPa or degrees",
      "mass average of the first random field",
      [](const A &a) { return a.record->mean_strength; }},
     {"least_strength",
-     "kPa",
+     "kPa or degrees",
      "least value of the first random field",
      [](const A &a) { return a.record->least_strength; }},
     {"wall_time",

@@ -44,12 +44,12 @@ def heights(run, width=0.008):
 
 
 def front(run, height=0.0015, width=0.008):
-    """The last place (m) at which the soil has this height."""
+    """How far (m) the soil reaches with this height, without a gap."""
     points = run.points()
     edges = np.arange(0.2, 0.6, width)
     there, _ = np.histogram(points["position"][:, 0], edges,
                             weights=points["volume"])
     middle = 0.5 * (edges[1:] + edges[:-1])
-    last = np.nonzero(there / width >= height)[0][-1]
-    return float(np.interp(height, [there[last + 1] / width, there[last] / width],
-                           [middle[last + 1], middle[last]]))
+    end = np.nonzero(there / width < height)[0][0]
+    return float(np.interp(height, [there[end] / width, there[end - 1] / width],
+                           [middle[end], middle[end - 1]]))

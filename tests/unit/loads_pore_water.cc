@@ -6,6 +6,7 @@
 #include <waker/case/state.h>
 #include <waker/loads/pore_water.h>
 #include <waker/program/parameter_reader.h>
+#include <waker/simulation/plausibility.h>
 
 #include "mapping_lattice.h"
 #include "user_errors.h"
@@ -202,5 +203,108 @@ end
                       -(16. + 20. * (3. - all.position[p][1])),
                       20. * 0.0625 + 1e-6); // half a point
         }
+  }
+
+  TEST(Loads, soil_as_heavy_as_water_under_water_has_no_stress)
+  {
+    // Water in the ground, on its surface and the weight are in balance, with
+    // the standard gradients and with B-bar: what is left is the
+    // discretisation's.
+    for (const char *const kind : {"standard", "B-bar"})
+      {
+        const auto parameters = ground(
+          {"Materials/sand/Unit weight=10",
+           "Materials/sand/Saturated unit weight=10",
+           "Pore water/Phreatic line=0, 4.9; 3, 4.9",
+           std::string("Kinematics and mapping/Volumetric strain=") + kind,
+           "Tractions/Names=lake",
+           "Tractions/lake/Kind=hydrostatic",
+           "Tractions/lake/Level=4.9"});
+        const Case<2> the_case(*parameters, MPI_COMM_SELF);
+        const auto   &points  = the_case.initial_points;
+        double        largest = 0., pressure = 0.;
+        for (std::size_t p = 0; p < points.n_points(); ++p)
+          {
+            largest  = std::max(largest, points.stress[p].norm());
+            pressure = std::max(pressure, points.scalar("pore pressure")[p]);
+          }
+        EXPECT_GT(pressure, 48.);
+        EXPECT_LT(largest, 1e-6) << kind;
+      }
+  }
+
+
+  TEST(Loads, pressure_of_the_soil_or_of_its_place)
+  {
+    MaterialPoints<2> points = Lattice::box(Point<2>(0.3, 0.35), 2, 0.11);
+    points.initial_position  = points.position;
+    for (Point<2> &x : points.position)
+      x[1] += 1.;
+    PoreWaterParameters p = line("-9, 3; 9, 3");
+    PoreWater<2>(p, 10., {true}).record(points);
+    const double place = points.scalar("pore pressure")[0];
+    p.pressure_of      = PorePressureOf::soil;
+    PoreWater<2>(p, 10., {true}).record(points);
+    EXPECT_NEAR(place, 10. * (3. - points.position[0][1]), 1e-12);
+    EXPECT_NEAR(points.scalar("pore pressure")[0], place + 10., 1e-12);
+  }
+
+
+  TEST(Loads, what_water_in_the_ground_cannot_do)
+  {
+    const std::string saturated = "Materials/sand/Saturated unit weight";
+    const auto        problem   = [](const std::vector<std::string> &more) {
+      try
+        {
+          ground(more);
+        }
+      catch (const UserError &error)
+        {
+          return error.problem;
+        }
+      return std::string("none");
+    };
+    EXPECT_EQ(problem({"Kinematics and mapping/Strain=logarithmic"}),
+              saturated + ": is 20 kN/m^3, with logarithmic strain");
+    EXPECT_EQ(problem({saturated + "=15"}),
+              saturated + ": is 15 kN/m^3, the unit weight 16 kN/m^3");
+    EXPECT_NO_THROW(
+      ground({"Kinematics and mapping/Strain=logarithmic", saturated + "=0"}));
+  }
+
+
+  TEST(Loads, water_in_the_ground_that_is_strange)
+  {
+    const auto warnings = [](const std::vector<std::string> &more) {
+      std::string all;
+      for (const std::string &text : strange_parameters(*ground(more)))
+        all += text + "\n";
+      return all;
+    };
+    const auto has = [](const std::string &all, const std::string &text) {
+      return all.find(text) != std::string::npos;
+    };
+    const std::string lake = "Tractions/Names=lake",
+                      kind = "Tractions/lake/Kind=hydrostatic";
+    EXPECT_EQ(warnings({}), "");
+    EXPECT_EQ(warnings({lake, kind, "Tractions/lake/Level=3"}), "");
+    EXPECT_TRUE(has(warnings({lake, kind, "Tractions/lake/Level=1"}),
+                    "ends at 3 m, but Tractions/lake/Level is 1 m"));
+    EXPECT_TRUE(has(warnings({lake, kind, "Tractions/lake/Level=3 + t"}),
+                    "the water outside moves"));
+    EXPECT_TRUE(has(warnings({"Water/Side=left", "Water/Level=1"}),
+                    "ends at 3 m, but Water/Level is 1 m"));
+    EXPECT_TRUE(
+      has(warnings({"Water/Side=left", "Water/Level=3", "Water/Rise=0.01*t"}),
+          "the water outside moves"));
+    EXPECT_TRUE(has(warnings({"Pore water/Phreatic line="}),
+                    "Saturated unit weight is not used"));
+    EXPECT_TRUE(has(
+      warnings(
+        {"Pore water/Phreatic line=", lake, kind, "Tractions/lake/Level=3"}),
+      "a liquid on soil with friction"));
+    EXPECT_TRUE(has(warnings({"Materials/sand/Model=von Mises softening",
+                              "Materials/sand/Saturated unit weight=0"}),
+                    "laws of total stress alone"));
   }
 } // namespace loads_pore_water

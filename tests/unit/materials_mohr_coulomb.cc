@@ -185,6 +185,10 @@ namespace materials_mohr_coulomb
     for (unsigned int n = 0; n < 100; ++n)
       clay.update(step, stress, variables, nullptr);
     EXPECT_NEAR(stress[0][1], 8., 1e-10);
+    // sqrt(2/3 e:e) of a shear of 0.1, less what is elastic: gamma / sqrt(3).
+    EXPECT_NEAR(variables[3],
+                (0.1 - 8. / clay.shear_modulus()) / std::sqrt(3.),
+                1e-12);
     EXPECT_NEAR(stress[2][2], -23., 1e-10);
 
     const MohrCoulomb flowing = sand(0., 30., 0., 0.);
@@ -220,6 +224,11 @@ namespace materials_mohr_coulomb
             const double off =
               (stress - borne * unit_symmetric_tensor<3>()).norm();
             EXPECT_LT(way == 1. ? off : 0., 1e-9) << given;
+            // Pulled in one direction it bears all that it can.
+            if (given <= apex)
+              {
+                EXPECT_NEAR(eigenvalues(stress)[0], borne, 1e-7) << given;
+              }
           }
       }
   }
@@ -268,13 +277,13 @@ namespace materials_mohr_coulomb
         const Tensor<2, 3> product = Tensor<2, 3>(trial) * Tensor<2, 3>(stress);
         EXPECT_LT((product - transpose(product)).norm(), 1e-9 * size * size)
           << n;
-        if (psi != phi)
-          continue;
         SymmetricTensor<2, 3> excess_strain; // C : (trial - stress)
         const auto            lost = trial - stress;
         excess_strain              = (1. + nu) / E * lost -
                         nu / E * trace(lost) * unit_symmetric_tensor<3>();
         EXPECT_NEAR(stress * excess_strain, dissipation, 1e-9 * size) << n;
+        if (psi != phi)
+          continue;
         for (unsigned int k = 0; k < 30; ++k)
           {
             // Towards the other side of the trial stress, and anywhere.

@@ -116,7 +116,10 @@ namespace program_friction
                  model,
                  "water stands on the left",
                  "none");
-    // Without friction the law is one of total stress.
+    // Without friction the pressure presses nothing together.
+    // With a line it is not.
+    EXPECT_NO_THROW(warnings(
+      {model + "=Mohr-Coulomb", "Pore water/Phreatic line=-6, 4.75; 30, 0"}));
     EXPECT_TRUE(warnings({model + "=Mohr-Coulomb",
                           clay + "Friction angle=0",
                           clay + "Tensile strength=apex"})

@@ -44,10 +44,17 @@ namespace Waker
     void
     apply_means(State<dim> &state) const;
 
-    /// Mass average and least value (kPa) of the first field's property in the
-    /// points that have it; 0 without fields.
+    /// Mass average and least value (of its unit()) of the first field's
+    /// property in the points that have it; 0 without fields.
     std::pair<double, double>
     mean_and_least(const State<dim> &state) const;
+
+    /// Unit of the first field's property; empty without fields.
+    const std::string &
+    unit() const
+    {
+      return unit_of_first;
+    }
 
     /// Lines for the log: fields, cells per scale of fluctuation.
     std::vector<std::string>
@@ -80,6 +87,7 @@ namespace Waker
 
     std::unique_ptr<RandomFields>            fields; // none: deterministic
     std::vector<Target>                      targets;
+    std::string                              unit_of_first;
     mutable std::vector<std::vector<double>> scores;
   };
 

@@ -63,6 +63,10 @@ namespace Waker
     const std::string *
     undrained_strength() const;
 
+    /// Is its law one of effective stress (Material::is_of_effective_stress())?
+    bool
+    is_drained() const;
+
     /// Does its strength grow with pressure?
     bool
     has_friction() const;
