@@ -27,10 +27,11 @@ def drawdown(work, cell):
     for depth in DEPTHS + (1.0,):
         level = HEIGHT * (1.0 - depth)
         sets = {"Grid/Cell size": cell, "Time stepping/Time step": 0.02 * cell,
-                "Tractions/reservoir/Level": level,
                 "Pore water/Phreatic line": f"-1, {level:g}; 47, {level:g}"}
         if depth == 1.0:
             sets["Tractions/Names"] = ""
+        else:
+            sets["Tractions/reservoir/Level"] = level
         rows.append((cell, depth, factor(work, f"{cell}-{depth}", sets),
                      PUBLISHED.get(depth, float("nan"))))
         print("| %g m | %g | %.3f | %s |"
