@@ -294,6 +294,34 @@ namespace Waker
                                 inflow.name + "), above the line or below",
                               "0 for soil that flows in");
         }
+      // The pressure in the ground acts on nodes with hardly any soil, too:
+      // they are in balance only if that of the water outside does, on the same
+      // surface of the support domains.
+      const bool is_drained =
+        std::any_of(p.materials.begin(),
+                    p.materials.end(),
+                    [](const MaterialParameters &m) { return m.is_drained(); });
+      if (is_drained && p.water.stands() && p.water.minimum_support > 0.)
+        throw UserError("Water/Minimum support",
+                        "is " + number(p.water.minimum_support) +
+                          ", but there is drained soil with water in it, which "
+                          "would boil",
+                        "0");
+      if (is_drained && p.water.stands() &&
+          p.surface.method != SurfaceMethod::contour)
+        throw UserError("Surface/Method",
+                        std::string("is ") + name_of(p.surface.method) +
+                          ", but there is drained soil with water in it, which "
+                          "would boil",
+                        "contour");
+      for (const TractionParameters &traction : p.tractions)
+        if (is_drained && traction.kind == TractionKind::hydrostatic &&
+            traction.minimum_support > 0.)
+          throw UserError("Tractions/" + traction.name + "/Minimum support",
+                          "is " + number(traction.minimum_support) +
+                            ", but there is drained soil with water in it, "
+                            "which would boil",
+                          "0");
       const auto line = p.pore_water.corners();
       for (const LayerParameters &layer : p.layers)
         for (const auto &corner : layer.corners())

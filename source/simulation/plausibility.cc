@@ -58,6 +58,41 @@ namespace Waker
     }
 
 
+    /// A phreatic line above the ground, with no water on it.
+    template <int dim>
+    void
+    check_line(const Case<dim> &the_case, std::vector<std::string> &warnings)
+    {
+      const Parameters &p      = the_case.parameters;
+      bool              is_wet = p.water.stands();
+      for (const TractionParameters &traction : p.tractions)
+        is_wet = is_wet || traction.kind == TractionKind::hydrostatic;
+      if (the_case.pore_water.empty() || is_wet)
+        return;
+      const MaterialPoints<dim> &points = the_case.initial_points;
+      double                     most = 0., at = 0.;
+      for (std::size_t q = 0; q < points.n_points(); ++q)
+        {
+          const Point<dim> &x = points.initial_position[q];
+          const double      ground =
+            x[1] +
+            the_case.depths.at(x, the_case.layers_of_points[q]).below_surface;
+          const double above = the_case.pore_water.height(x[0]) - ground;
+          if (above > most)
+            {
+              most = above;
+              at   = x[0];
+            }
+        }
+      std::ostringstream text;
+      text << "Pore water/Phreatic line lies " << most
+           << " m above the ground at x = " << at
+           << " m, and no water stands there: the soil will boil";
+      if (most > 0.5 * p.grid.cell_size)
+        warnings.push_back(text.str());
+    }
+
+
     /// A polygon that cuts off what a height map has beyond it.
     void
     check_maps(const LayerParameters    &layer,
@@ -177,6 +212,7 @@ namespace Waker
     const double             h        = the_case.grid.cell_size();
     Ranges                   ranges(warnings);
     check_strengths_of_points(the_case, ranges);
+    check_line(the_case, warnings);
     check_loads(the_case, warnings);
     const double cells =
       chosen_courant_number(p.time, the_case.materials, h).value_or(0.);

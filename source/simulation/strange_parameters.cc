@@ -106,7 +106,8 @@ namespace Waker
           "Kinematics and mapping/Volumetric strain = B-bar in all cells: soil "
           "in cells that it hardly fills may boil under water; B-bar leaves "
           "those alone");
-      if (p.water.stands() && p.water.minimum_support < 1e-3)
+      if (p.water.stands() && p.water.minimum_support < 1e-3 &&
+          !p.pore_water.is_there())
         {
           std::ostringstream text;
           text << "Water/Minimum support: water may load nodes with hardly any "
@@ -185,8 +186,17 @@ namespace Waker
       const auto c   = plain_number(p.cohesion),
                  phi = plain_number(p.friction_angle),
                  psi = plain_number(p.dilatancy_angle);
+      // Points at a free surface have no pressure that would give them
+      // strength.
       if (c)
-        ranges.check(path + "Cohesion", *c, 0., 200., " kPa", "soils have");
+        ranges.check(
+          path + "Cohesion",
+          *c,
+          0.1,
+          200.,
+          " kPa",
+          "slopes of less shed their skin, or slide, far below their "
+          "angle; soils have");
       if (phi && *phi != 0.)
         ranges.check(
           path + "Friction angle", *phi, 10., 50., " degrees", "soils have");

@@ -50,7 +50,7 @@ subsection Materials
     set Unit weight           = 16
     set Saturated unit weight = 20
     set Poisson's ratio       = 0.3
-    set Cohesion              = 0
+    set Cohesion              = 1
     set Friction angle        = 30
   end
 end
@@ -292,11 +292,17 @@ end
                     "ends at 3 m, but Tractions/lake/Level is 1 m"));
     EXPECT_TRUE(has(warnings({lake, kind, "Tractions/lake/Level=3 + t"}),
                     "the water outside moves"));
-    EXPECT_TRUE(has(warnings({"Water/Side=left", "Water/Level=1"}),
+    EXPECT_TRUE(has(warnings({"Water/Side=left",
+                              "Water/Level=1",
+                              "Water/Minimum support=0",
+                              "Surface/Method=contour"}),
                     "ends at 3 m, but Water/Level is 1 m"));
-    EXPECT_TRUE(
-      has(warnings({"Water/Side=left", "Water/Level=3", "Water/Rise=0.01*t"}),
-          "the water outside moves"));
+    EXPECT_TRUE(has(warnings({"Water/Side=left",
+                              "Water/Level=3",
+                              "Water/Rise=0.01*t",
+                              "Water/Minimum support=0",
+                              "Surface/Method=contour"}),
+                    "the water outside moves"));
     EXPECT_TRUE(has(warnings({"Pore water/Phreatic line="}),
                     "Saturated unit weight is not used"));
     EXPECT_TRUE(has(
@@ -306,5 +312,21 @@ end
     EXPECT_TRUE(has(warnings({"Materials/sand/Model=von Mises softening",
                               "Materials/sand/Saturated unit weight=0"}),
                     "laws of total stress alone"));
+  }
+
+  TEST(Loads, a_phreatic_line_above_the_ground_is_strange)
+  {
+    const auto warns = [](const std::string &line) {
+      const auto parameters = ground(
+        {"Pore water/Phreatic line=" + line, "Gravity/Initial stress=false"});
+      const Case<2> the_case(*parameters, MPI_COMM_SELF);
+      for (const std::string &text : strange_things(the_case))
+        if (text.find("above the ground") != std::string::npos)
+          return true;
+      return false;
+    };
+    EXPECT_FALSE(warns("0, 4; 3, 4"));
+    EXPECT_FALSE(warns("0, 1; 3, 3"));
+    EXPECT_TRUE(warns("0, 3; 3, 5"));
   }
 } // namespace loads_pore_water

@@ -88,7 +88,7 @@ namespace program_friction
                  "from 0 to the friction angle");
     expect_error(sand({t + "=-1"}), t, "-1", "0");
     expect_error(sand({c + "=nonsense"}), c, "nonsense", "");
-    EXPECT_TRUE(warnings(sand({t + "=apex", c + "=0", psi + "=30"})).size() ==
+    EXPECT_TRUE(warnings(sand({t + "=apex", c + "=1", psi + "=30"})).size() ==
                 1); // a dilatancy angle of 30 degrees is strange
     // Softening.
     const std::string soft = e + "=0.3", c_r = clay + "Residual cohesion",
@@ -117,9 +117,20 @@ namespace program_friction
                  "water stands on the left",
                  "none");
     // Without friction the pressure presses nothing together.
-    // With a line it is not.
-    EXPECT_NO_THROW(warnings(
-      {model + "=Mohr-Coulomb", "Pore water/Phreatic line=-6, 4.75; 30, 0"}));
+    // With a line it is not, if the water outside loads the same nodes.
+    const std::string line = "Pore water/Phreatic line=-6, 4.75; 30, 0";
+    expect_error({model + "=Mohr-Coulomb", line},
+                 "Water/Minimum support",
+                 "would boil",
+                 "0");
+    expect_error({model + "=Mohr-Coulomb", line, "Water/Minimum support=0"},
+                 "Surface/Method",
+                 "would boil",
+                 "contour");
+    EXPECT_NO_THROW(warnings({model + "=Mohr-Coulomb",
+                              line,
+                              "Water/Minimum support=0",
+                              "Surface/Method=contour"}));
     EXPECT_TRUE(warnings({model + "=Mohr-Coulomb",
                           clay + "Friction angle=0",
                           clay + "Tensile strength=apex"})
@@ -153,6 +164,7 @@ namespace program_friction
 
   TEST(Program, friction_that_soils_do_not_have)
   {
+    expect_warning(sand({clay + "Cohesion=0"}), "shed their skin");
     expect_warning(sand({clay + "Friction angle=60"}),
                    "Friction angle is 60 degrees; soils have 10 to 50");
     expect_warning(sand({clay + "Friction angle=0.6"}),
