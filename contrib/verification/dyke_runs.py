@@ -16,6 +16,16 @@ sys.path.insert(0, os.path.join(ROOT, "tests", "cases"))
 from waker_case import Checks, Workspace  # noqa: E402,F401
 
 
+def option(name, default):
+    """Take a value off the command line."""
+    if name not in sys.argv:
+        return default
+    at = sys.argv.index(name)
+    value = sys.argv[at + 1]
+    del sys.argv[at:at + 2]
+    return value
+
+
 def workspace(description):
     """A workspace made from the command line."""
     parser = argparse.ArgumentParser(

@@ -13,11 +13,10 @@ volumetric strain, stay there.
 
 import csv
 import os
-import sys
 
 import numpy as np
 from common import DATA, plt, save
-from dyke_runs import workspace
+from dyke_runs import option, workspace
 import dyke_measures as measures
 
 CASE = "verification/dyke_no_softening.prm"
@@ -58,16 +57,6 @@ def factor(work, cell, freeboard, volumetric, modulus, reading):
     result = work.factor_of_safety(name, CASE, sets)
     failure = result["failure"] or {}
     return result["factor_of_safety"], failure.get("slope") or ""
-
-
-def option(name, default):
-    """Take a value off the command line."""
-    if name not in sys.argv:
-        return default
-    at = sys.argv.index(name)
-    value = sys.argv[at + 1]
-    del sys.argv[at:at + 2]
-    return value
 
 
 def known(path, cells, kinds):

@@ -11,11 +11,10 @@ other cells stay in doc/verification/data/mohr_coulomb_footing.csv.
 
 import csv
 import os
-import sys
 
 import numpy as np
 from common import DATA, plt, save
-from dyke_runs import draw_points, workspace, write_csv
+from dyke_runs import draw_points, option, workspace, write_csv
 import friction_measures as measures
 
 SLOPES = (  # case, published factor, cell (m), dilatancy
@@ -27,16 +26,6 @@ SLOPES = (  # case, published factor, cell (m), dilatancy
     ("slope_acads", 0.987, 0.5, "friction_angle"))
 FOOTING_COLUMNS = ("cell_m", "angle", "load_over_c", "over_n_c",
                    "over_n_c_half_a_cell_wider")
-
-
-def option(name, default):
-    """Take a value off the command line."""
-    if name not in sys.argv:
-        return default
-    at = sys.argv.index(name)
-    value = sys.argv[at + 1]
-    del sys.argv[at:at + 2]
-    return value
 
 
 def slopes(work):

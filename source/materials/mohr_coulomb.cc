@@ -156,7 +156,8 @@ namespace Waker
         if (!(v[2] >= 0. && v[2] <= v[1]))
           {
             std::ostringstream text;
-            text << "from 0 to the friction angle at every point, here " << v[1]
+            text << "from 0 to the " << (left ? "residual " : "")
+                 << "friction angle at every point, here " << v[1]
                  << " degrees";
             return {{3 * s + 2, text.str()}};
           }

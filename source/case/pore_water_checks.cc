@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "pore_water_checks.h"
+
+#include <waker/base/errors.h>
+#include <waker/base/numbers.h>
+
+#include <algorithm>
+
+namespace Waker
+{
+  void
+  check_pore_water(const Parameters &p)
+  {
+    p.pore_water.check();
+    if (!p.pore_water.is_there())
+      {
+        for (const MaterialParameters &material : p.materials)
+          if (p.water.stands() && material.has_friction())
+            throw UserError("Materials/" + material.name + "/Model",
+                            std::string("is ") + name_of(material.model) +
+                              " with friction, and water stands on the " +
+                              name_of(p.water.side) +
+                              ": as on a watertight skin, its pressure would "
+                              "press the grains together",
+                            "a phreatic line (Pore water/Phreatic line; below "
+                            "all soil if that is dry), or Water/Side = none");
+        return;
+      }
+    for (const MaterialParameters &material : p.materials)
+      {
+        const std::string path =
+          "Materials/" + material.name + "/Saturated unit weight";
+        if (!(material.saturated_unit_weight > 0.))
+          continue;
+        // Its volume without strain is that of the mass and the density.
+        if (p.mapping.strain == StrainMeasure::logarithmic)
+          throw UserError(path,
+                          "is " + in_digits(material.saturated_unit_weight) +
+                            " kN/m^3, with logarithmic strain",
+                          "0, or Kinematics and mapping/Strain = step");
+        for (const InflowParameters &inflow : p.inflows)
+          if (inflow.material == material.name)
+            throw UserError(path,
+                            "is " + in_digits(material.saturated_unit_weight) +
+                              " kN/m^3, but the soil flows in (Inflow/" +
+                              inflow.name + "), above the line or below",
+                            "0 for soil that flows in");
+      }
+    // The pressure in the ground acts on nodes with hardly any soil, too:
+    // they are in balance only if that of the water outside does, on the same
+    // surface of the support domains.
+    const bool is_drained =
+      std::any_of(p.materials.begin(),
+                  p.materials.end(),
+                  [](const MaterialParameters &m) { return m.is_drained(); });
+    if (is_drained && p.water.stands() && p.water.minimum_support > 0.)
+      throw UserError("Water/Minimum support",
+                      "is " + in_digits(p.water.minimum_support) +
+                        ", but there is drained soil with water in it, which "
+                        "would boil",
+                      "0");
+    if (is_drained && p.water.stands() &&
+        p.surface.method != SurfaceMethod::contour)
+      throw UserError("Surface/Method",
+                      std::string("is ") + name_of(p.surface.method) +
+                        ", but there is drained soil with water in it, which "
+                        "would boil",
+                      "contour");
+    for (const TractionParameters &traction : p.tractions)
+      if (is_drained && traction.kind == TractionKind::hydrostatic &&
+          traction.minimum_support > 0.)
+        throw UserError("Tractions/" + traction.name + "/Minimum support",
+                        "is " + in_digits(traction.minimum_support) +
+                          ", but there is drained soil with water in it, "
+                          "which would boil",
+                        "0");
+    const auto line = p.pore_water.corners();
+    for (const LayerParameters &layer : p.layers)
+      for (const auto &corner : layer.corners())
+        if (corner[0] < line.front()[0] || corner[0] > line.back()[0])
+          throw UserError("Pore water/Phreatic line",
+                          "reaches from x = " + in_digits(line.front()[0]) +
+                            " to " + in_digits(line.back()[0]) +
+                            " m, the layer \"" + layer.name + "\" to " +
+                            in_digits(corner[0]) + " m",
+                          "a line over all soil");
+  }
+} // namespace Waker
