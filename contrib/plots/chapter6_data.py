@@ -21,6 +21,8 @@ COLUMNS = ("realisation", "outcome", "end_time", "initial_height",
            "n_masses_behind_centred", "n_masses_behind_off_centre",
            "mean_strength", "unconverged_steps", "steps",
            "wall_time", "field_time")
+# What says nothing of the slope.
+TIMINGS = ("wall_time", "field_time")
 DETERMINISTIC = "mean_strength.csv"
 DETERMINISTIC_COLUMNS = ("name", "end_time", "load", "load_stop_time",
                          "relative_failure_volume", "retrogression_distance",
@@ -65,8 +67,11 @@ def merged(folder, waker, work):
 
 
 def take(folder, data, waker=None):
-    """The columns of a campaign as a table in the data folder; a table of the
-    same campaign with more realisations stays. Returns what was done."""
+    """The columns of a campaign as a table in the data folder. A table that is
+    there is extended by a campaign of the same hash; or of another one (a later
+    program has more parameters) if a realisation that slid is in both, and all
+    that are in both are equal: slides are chaotic, and any difference shows. Else
+    the campaign takes its place. Returns what was done."""
     name = os.path.basename(os.path.normpath(folder))
     name = name.replace("output-chapter6-", "")
     path = os.path.join(data, name + ".csv")
@@ -82,20 +87,46 @@ def take(folder, data, waker=None):
             rows = list(csv.DictReader(file))
     if not rows:
         return f"{folder}: no realisation is finished"
+    columns = [c for c in COLUMNS if c in rows[0]]
+    rows = [{c: row[c] if c == "outcome" else short(row[c]) for c in columns}
+            for row in rows]
+    head = [f"# campaign {campaign['hash']}, seed {campaign['seed']}, "
+            f"Waker {campaign['version']}\n"]
+    said = f"wrote {path}"
     if os.path.exists(path):
         old = Set(path)
-        if old.hash == campaign["hash"] and len(old.all_rows) > len(rows):
-            return f"{path} has more realisations: it stays"
-    columns = [c for c in COLUMNS if c in rows[0]]
+        n_common, n_differ, any_slid = compare(old.all_rows, rows)
+        known = campaign["hash"] in old.hashes
+        if known or (old.seed == str(campaign["seed"])
+                     and any_slid and n_differ == 0):
+            said += (f": extended; {n_common} realisations are in both, "
+                     f"{n_differ} of them differ")
+            head = old.head + ([] if known else head)
+            rows = list({int(row["realisation"]): row
+                         for row in old.all_rows + rows}.values())
+            rows.sort(key=lambda row: int(row["realisation"]))
+        else:
+            said += (f": in place of another campaign; {n_common} realisations "
+                     f"are in both, {n_differ} of them differ")
     with open(path, "w", encoding="utf-8", newline="") as file:
-        file.write(f"# campaign {campaign['hash']}, seed {campaign['seed']}, "
-                   f"Waker {campaign['version']}\n")
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(columns)
-        for row in rows:
-            writer.writerow([row[c] if c == "outcome" else short(row[c])
-                             for c in columns])
-    return f"wrote {path}"
+        file.writelines(head)
+        writer = csv.DictWriter(file, columns, lineterminator="\n",
+                                restval="", extrasaction="ignore")
+        writer.writeheader()
+        writer.writerows(rows)
+    return said
+
+
+def compare(old, new):
+    """(How many realisations are in both tables, how many of them differ in
+    more than the time that they took, whether one of them slid.)"""
+    lines = {row["realisation"]: row for row in old}
+    both = [(lines[row["realisation"]], row) for row in new
+            if row["realisation"] in lines]
+    return len(both), sum(
+        any(one.get(c, "") != row[c] for c in row if c not in TIMINGS)
+        for one, row in both), any(
+            float(row["n_masses"] or 0) > 0 for _, row in both)
 
 
 def take_run(folder, data):
@@ -149,9 +180,11 @@ class Set:
         self.name = os.path.splitext(os.path.basename(path))[0]
         with open(path, encoding="utf-8", newline="") as file:
             lines = file.readlines()
-        found = re.search(r"campaign (\S+), seed (\d+), Waker (\S+)", lines[0])
-        self.hash, self.seed, self.version = (
-            found.groups() if found else (None, None, None))
+        self.head = [line for line in lines if line.startswith("# campaign")]
+        found = [re.search(r"campaign (\S+), seed (\d+), Waker (\S+)", line)
+                 for line in self.head]
+        self.hashes = [f[1] for f in found]
+        self.seed = found[0][2] if found else None
         self.all_rows = list(csv.DictReader(
             line for line in lines if not line.startswith("#")))
         self.rows = [r for r in self.all_rows

@@ -55,7 +55,7 @@ def campaigns(sets):
         lines.append(
             f"| {s.label}, {'2D' if s.is_plane else '3D'} | {len(s)} | "
             f"{s.n_lost} | {bad} of {steps} | {np.nanmean(wall):.3g}, "
-            f"{np.nanmedian(wall):.3g} | `{s.hash}`, seed {s.seed} |")
+            f"{np.nanmedian(wall):.3g} | {', '.join(f'`{h}`' for h in s.hashes)}, seed {s.seed} |")
     return "\n".join(lines)
 
 
