@@ -42,7 +42,10 @@ DPI = 200
 WIDTH = 10.0  # inches
 # Share of the width that the body takes; the rest is the top view's.
 BODY_SHARE = 0.56
-SLIDE_COLOURS = plt.get_cmap("Set1").colors
+# 22 that differ: slopes that crumble have some twenty masses.
+SLIDE_COLOURS = [plt.get_cmap(name)(k)[:3] for name, numbers in (
+    ("Set1", range(9)), ("Set2", range(8)), ("tab20b", range(0, 20, 4)))
+    for k in numbers]
 LINES = {0: ("end of the crest", "black", "-"),
          1: ("scarp", "darkviolet", "-"),
          2: ("moved by 1.25 cells", "black", "--")}
