@@ -115,9 +115,11 @@ def legend(figure, slides, kinds, place):
                       label=LINES[k][0]) for k in sorted(kinds)]
     handles += [Patch(color=SLIDE_COLOURS[(k - 1) % len(SLIDE_COLOURS)],
                       label=f"sliding mass {k}") for k in sorted(slides)]
+    many = len(handles) > 15  # five lines are what there is room for
     if handles:
         figure.legend(handles=handles, loc="center", bbox_to_anchor=place,
-                      ncol=3, fontsize=7, frameon=False)
+                      ncol=4 if many else 3, fontsize=5 if many else 7,
+                      frameon=False)
 
 
 def main():
