@@ -15,8 +15,16 @@ from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass, vtkSSAOPass
 # From the body to the reader: before the slope, above it, a little to one side.
 TO_READER = np.array([0.80, 0.62, 0.42])
 SAMPLES = 2  # pixels drawn per pixel printed, in each direction
-AXIS_GAP = 0.25  # m, between the box and its axes
-MARGIN = 0.6  # m, around the box, for numbers and names
+# Lengths in shares of the box's diagonal, so that boxes of any size look alike.
+AXIS_GAP = 0.025  # between the box and its axes
+MARGIN = 0.06  # around the box, for numbers and names
+MOST_TICKS = 10  # of an axis
+
+
+def tick_distance(length):
+    """The least of 1, 2, 5, 10, ... m that gives at most MOST_TICKS intervals."""
+    return min(factor * 10.0**n for n in range(6) for factor in (1, 2, 5)
+               if factor * 10.0**n * MOST_TICKS >= length)
 
 
 class BodyPicture:
@@ -25,6 +33,9 @@ class BodyPicture:
     def __init__(self, box, width):
         """box: (lower, upper) corner (m); width: of the picture (pixels)."""
         self.low, self.high = (np.asarray(corner) for corner in box)
+        diagonal = np.linalg.norm(self.high - self.low)
+        self.axis_gap, margin = AXIS_GAP * diagonal, MARGIN * diagonal
+        self.tick_distance = tick_distance((self.high - self.low).max())
         self.to_reader = TO_READER / np.linalg.norm(TO_READER)
         self.right = np.cross([0.0, 1.0, 0.0], self.to_reader)
         self.right /= np.linalg.norm(self.right)
@@ -33,8 +44,8 @@ class BodyPicture:
                              for d, c in enumerate((i, j, k))]
                             for i in (0, 1) for j in (0, 1) for k in (0, 1)])
         seen = np.column_stack([corners @ self.right, corners @ self.up])
-        self.seen_low = seen.min(axis=0) - MARGIN
-        self.seen_high = seen.max(axis=0) + [MARGIN, 0.1]
+        self.seen_low = seen.min(axis=0) - margin
+        self.seen_high = seen.max(axis=0) + margin
         size = self.seen_high - self.seen_low
         self.pixels_per_metre = width / size[0]
         self.width = int(round(width))
@@ -147,17 +158,19 @@ class BodyPicture:
                 ("z", [high[0], low[1], low[2]], 2, [1.0, 0.0, 0.0]),
                 ("y", [low[0], low[1], high[2]], 1, [0.0, 0.0, 1.0])):
             self.draw_axis(axes, name, np.array(begin, dtype=float), d,
-                           AXIS_GAP * np.array(away))
+                           self.axis_gap * np.array(away))
         axes.set_xlim(0.0, size[0])
         axes.set_ylim(0.0, size[1])
 
     def draw_axis(self, axes, name, begin, d, away):
-        """A line with a tick each metre."""
+        """A line with ticks at multiples of their distance."""
+        step = self.tick_distance
         end = begin.copy()
         end[d] = self.high[d]
         line = self.seen([begin + 0.5 * away, end + 0.5 * away])
         axes.plot(line[:, 0], line[:, 1], color="black", linewidth=0.6)
-        for value in np.arange(np.ceil(begin[d] - 1e-9) + 0.0, end[d] + 1e-9):
+        for value in step * np.arange(np.ceil(begin[d] / step - 1e-9),
+                                      end[d] / step + 1e-9):
             at = begin.copy()
             at[d] = value
             tick = self.seen([at + 0.5 * away, at + away, at + 1.9 * away])
@@ -165,7 +178,7 @@ class BodyPicture:
             axes.text(*tick[2], f"{value + 0.0:g}", ha="center", va="center",
                       fontsize=6)
         if name == "y":
-            axes.text(line[1, 0], line[1, 1] + 0.1, "y (m)", ha="center",
+            axes.text(line[1, 0], line[1, 1] + 0.4 * self.axis_gap, "y (m)", ha="center",
                       va="bottom", fontsize=7)
         else:
             middle = self.seen([0.5 * (begin + end) + 4.4 * away])[0]
