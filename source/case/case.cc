@@ -95,7 +95,7 @@ namespace Waker
       if (pore_water.empty())
         return;
       for (std::size_t p = 0; p < points.n_points(); ++p)
-        if (pore_water.height(points.initial_position[p][0]) >
+        if (pore_water.line().height(points.initial_position[p][0]) >
             points.initial_position[p][1])
           points.mass[p] *= saturation(parameters, points.material[p]);
     }

@@ -74,13 +74,13 @@ namespace Waker
                           ", but there is drained soil with water in it, "
                           "which would boil",
                         "0");
-    const auto line = p.pore_water.corners();
+    const PhreaticLine line = p.pore_water.line();
     for (const LayerParameters &layer : p.layers)
       for (const auto &corner : layer.corners())
-        if (corner[0] < line.front()[0] || corner[0] > line.back()[0])
+        if (corner[0] < line.begin() || corner[0] > line.end())
           throw UserError("Pore water/Phreatic line",
-                          "reaches from x = " + in_digits(line.front()[0]) +
-                            " to " + in_digits(line.back()[0]) +
+                          "reaches from x = " + in_digits(line.begin()) +
+                            " to " + in_digits(line.end()) +
                             " m, the layer \"" + layer.name + "\" to " +
                             in_digits(corner[0]) + " m",
                           "a line over all soil");

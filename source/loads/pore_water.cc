@@ -16,7 +16,6 @@ namespace Waker
   namespace
   {
     const char *const scalar_name = "pore pressure";
-    const char *const line_path   = "Pore water/Phreatic line";
   } // namespace
 
 
@@ -56,39 +55,10 @@ namespace Waker
   }
 
 
-  std::vector<std::array<double, 2>>
-  PoreWaterParameters::corners() const
+  PhreaticLine
+  PoreWaterParameters::line() const
   {
-    const std::string allowed =
-      "two corners or more, \"x, y; x, y\" (m), x ascending";
-    std::vector<std::array<double, 2>> line;
-    std::vector<std::string>           items = split(phreatic_line, ';');
-    if (!items.empty() && tidy(items.back()).empty())
-      items.pop_back(); // a semicolon at the end
-    for (const std::string &item : items)
-      {
-        const std::vector<std::string> numbers = split(item, ',');
-        std::array<double, 2>          corner;
-        if (numbers.size() != 2 || !read_number(numbers[0], corner[0]) ||
-            !read_number(numbers[1], corner[1]))
-          throw UserError(line_path,
-                          "corner " + std::to_string(line.size() + 1) +
-                            " is \"" + tidy(item) + "\", not two numbers",
-                          allowed);
-        if (!line.empty() && !(corner[0] > line.back()[0]))
-          throw UserError(line_path,
-                          "corner " + std::to_string(line.size() + 1) +
-                            " has x = " + in_digits(corner[0]) +
-                            " m after x = " + in_digits(line.back()[0]) + " m",
-                          allowed);
-        line.push_back(corner);
-      }
-    if (line.size() < 2)
-      throw UserError(line_path,
-                      "\"" + tidy(phreatic_line) + "\" has " +
-                        std::to_string(line.size()) + " corner",
-                      allowed);
-    return line;
+    return PhreaticLine(phreatic_line, "Pore water/Phreatic line");
   }
 
 
@@ -99,8 +69,7 @@ namespace Waker
       throw UserError("Pore water/Largest suction",
                       "is " + in_digits(largest_suction) + " kPa",
                       "at least 0");
-    if (is_there())
-      corners();
+    line();
   }
 
 
@@ -108,39 +77,20 @@ namespace Waker
   PoreWater<dim>::PoreWater(const PoreWaterParameters &parameters,
                             const double               unit_weight,
                             const std::vector<bool>   &of_effective_stress)
-    : unit_weight(unit_weight)
+    : phreatic_line(parameters.line())
+    , unit_weight(unit_weight)
     , largest_suction(parameters.largest_suction)
     , pressure_of(parameters.pressure_of)
     , takes_part(of_effective_stress)
-  {
-    if (parameters.is_there())
-      line = parameters.corners();
-  }
-
-
-  template <int dim>
-  double
-  PoreWater<dim>::height(const double x) const
-  {
-    if (x <= line.front()[0])
-      return line.front()[1];
-    if (x >= line.back()[0])
-      return line.back()[1];
-    const auto next = std::upper_bound(
-      line.begin(), line.end(), x, [](const double value, const auto &corner) {
-        return value < corner[0];
-      });
-    const auto  &b = *next, &a = *(next - 1);
-    const double share = (x - a[0]) / (b[0] - a[0]);
-    return a[1] + share * (b[1] - a[1]);
-  }
+  {}
 
 
   template <int dim>
   double
   PoreWater<dim>::pressure(const Point<dim> &x) const
   {
-    return std::max(unit_weight * (height(x[0]) - x[1]), -largest_suction);
+    return std::max(unit_weight * (phreatic_line.height(x[0]) - x[1]),
+                    -largest_suction);
   }
 
 

@@ -77,7 +77,7 @@ namespace Waker
           const double      ground =
             x[1] +
             the_case.depths.at(x, the_case.layers_of_points[q]).below_surface;
-          const double above = the_case.pore_water.height(x[0]) - ground;
+          const double above = the_case.pore_water.line().height(x[0]) - ground;
           if (above > most)
             {
               most = above;

@@ -130,9 +130,10 @@ namespace Waker
                     [](const MaterialParameters &m) { return m.is_drained(); });
       if (p.pore_water.is_there())
         {
-          const auto   line = p.pore_water.corners();
-          const double left = line.front()[1], right = line.back()[1];
-          const auto   check =
+          const PhreaticLine line = p.pore_water.line();
+          const double       left = line.height(line.begin()),
+                       right      = line.height(line.end());
+          const auto check =
             [&](const std::string &path, const double level, const double end) {
               std::ostringstream text;
               text << "Pore water/Phreatic line ends at " << end << " m, but "

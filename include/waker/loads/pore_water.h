@@ -2,11 +2,11 @@
 #ifndef waker_loads_pore_water_h
 #define waker_loads_pore_water_h
 
+#include <waker/loads/phreatic_line.h>
 #include <waker/mapping/weights.h>
 #include <waker/nodes/nodal_vector.h>
 #include <waker/particles/material_points.h>
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -52,8 +52,8 @@ namespace Waker
     is_there() const;
 
     /// @throws UserError "Pore water/Phreatic line"
-    std::vector<std::array<double, 2>>
-    corners() const;
+    PhreaticLine
+    line() const;
 
     void
     add_parameters(ParameterHandler &prm);
@@ -88,16 +88,18 @@ namespace Waker
     bool
     empty() const
     {
-      return line.empty();
+      return phreatic_line.empty();
     }
 
     /// u at a place (kPa), negative where there is suction.
     double
     pressure(const Point<dim> &x) const;
 
-    /// Height (m) of the line above (or below) a place.
-    double
-    height(const double x) const;
+    const PhreaticLine &
+    line() const
+    {
+      return phreatic_line;
+    }
 
     /// The points' scalar "pore pressure" (kPa), of all materials; made if it
     /// is new. Does nothing without pore water.
@@ -111,11 +113,11 @@ namespace Waker
                      NodalVector               &force) const;
 
   private:
-    std::vector<std::array<double, 2>> line;
-    double                             unit_weight     = 0.;
-    double                             largest_suction = 0.;
-    PorePressureOf                     pressure_of     = PorePressureOf::place;
-    std::vector<bool>                  takes_part; // by material
+    PhreaticLine      phreatic_line;
+    double            unit_weight     = 0.;
+    double            largest_suction = 0.;
+    PorePressureOf    pressure_of     = PorePressureOf::place;
+    std::vector<bool> takes_part; // by material
   };
 } // namespace Waker
 

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_loads_phreatic_line_h
+#define waker_loads_phreatic_line_h
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace Waker
+{
+  /// The line at which the pressure of the water in the ground is 0, in space
+  /// the same along z. Beyond its ends it is level.
+  class PhreaticLine
+  {
+  public:
+    /// None.
+    PhreaticLine() = default;
+
+    /// @param text "x, y; x, y; ...": two corners (m) or more, x ascending;
+    /// empty: no line
+    /// @param path of the parameter, for the error
+    /// @throws UserError path
+    PhreaticLine(const std::string &text, const std::string &path);
+
+    bool
+    empty() const
+    {
+      return corners.empty();
+    }
+
+    /// Its height (m) at x; there must be a line.
+    double
+    height(const double x) const;
+
+    /// Where it begins and ends (m).
+    double
+    begin() const
+    {
+      return corners.front()[0];
+    }
+
+    double
+    end() const
+    {
+      return corners.back()[0];
+    }
+
+  private:
+    std::vector<std::array<double, 2>> corners;
+  };
+} // namespace Waker
+
+#endif
