@@ -61,7 +61,7 @@ namespace Waker
                                   const unsigned int           material)
     : the_case(&the_case)
     , field(&field)
-    , own(the_case.materials, the_case.depths)
+    , own(the_case.materials, the_case.ground)
     , material(material)
     , variable(variable_number(the_case, material, field))
     , name(the_case.materials[material]->variables()[variable].name)
@@ -69,12 +69,17 @@ namespace Waker
     const std::string              path = "Random fields/" + field.name;
     const std::vector<std::string> none;
     if (!field.mean.empty())
-      mean.emplace(field.mean, path + "/Mean", none, ", nothing, or a number");
+      the_case.ground.check(mean.emplace(field.mean,
+                                         path + "/Mean",
+                                         none,
+                                         ", nothing, or a number"),
+                            path + "/Mean");
     if (field.has_standard_deviation())
-      deviation.emplace(field.standard_deviation,
-                        path + "/Standard deviation",
-                        none,
-                        ", or a number");
+      the_case.ground.check(deviation.emplace(field.standard_deviation,
+                                              path + "/Standard deviation",
+                                              none,
+                                              ", or a number"),
+                            path + "/Standard deviation");
   }
 
 
@@ -82,11 +87,11 @@ namespace Waker
   std::pair<double, double>
   FieldMoments<dim>::at(const Point<dim> &x, const unsigned int layer) const
   {
-    const Depths depths = the_case->depths.at(x, layer);
-    const double m =
-      mean ? mean->value(x, depths) : own.at(material, x, layer)[variable];
+    const InGround place = the_case->ground.at(x, layer);
+    const double   m =
+      mean ? mean->value(x, place) : own.at(material, x, layer)[variable];
     return {m,
-            deviation ? deviation->value(x, depths)
+            deviation ? deviation->value(x, place)
                       : field->coefficient_of_variation * m};
   }
 
@@ -107,12 +112,12 @@ namespace Waker
   FieldMoments<dim>::layer_at(const Point<dim>               &x,
                               const std::vector<std::size_t> &points) const
   {
-    const unsigned int n_layers = the_case->depths.n_layers();
+    const unsigned int n_layers = the_case->ground.depths().n_layers();
     unsigned int       layer    = n_layers;
     for (const std::size_t q : points)
       {
         layer = the_case->layers_of_points[q];
-        if (layer < n_layers && the_case->depths.holds(x, layer))
+        if (layer < n_layers && the_case->ground.depths().holds(x, layer))
           break;
       }
     return layer;

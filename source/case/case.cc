@@ -114,10 +114,10 @@ namespace Waker
     , flow(grid, materials, p)
     , fixities(grid, flow.conditions(), flow.outflow())
     , programmes(p)
-    , depths(grid, p.layers)
     , pore_water(p.pore_water,
                  p.water.unit_weight,
                  of_effective_stress(materials))
+    , ground(grid, p, pore_water)
     , full_node_mass(largest_density(materials, p) *
                      std::pow(p.grid.cell_size, dim))
     , riding_loads(p.tractions.size())
@@ -125,12 +125,13 @@ namespace Waker
     initial_points = make_soil(grid, p, materials, &layers_of_points);
     saturate(pore_water, p, initial_points);
     flow.fill(initial_points);
-    layers_of_points.resize(initial_points.n_points(), depths.n_layers());
+    layers_of_points.resize(initial_points.n_points(),
+                            ground.depths().n_layers());
     apply_point_loads(undriven_point_loads(p),
                       p.grid.cell_size,
                       initial_points);
     declare_material_variables(materials, initial_points);
-    InitialProperties<dim>(materials, depths)
+    InitialProperties<dim>(materials, ground)
       .set(layers_of_points, initial_points);
     pore_water.record(initial_points);
     prepare_domains(p.mapping.domains, initial_points);

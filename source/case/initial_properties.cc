@@ -9,10 +9,10 @@
 namespace Waker
 {
   template <int dim>
-  InitialProperties<dim>::InitialProperties(const Materials       &materials,
-                                            const SoilDepths<dim> &depths)
+  InitialProperties<dim>::InitialProperties(const Materials   &materials,
+                                            const Ground<dim> &ground)
     : materials(&materials)
-    , depths(&depths)
+    , ground(&ground)
   {
     for (const auto &material : materials)
       {
@@ -23,10 +23,10 @@ namespace Waker
             const InitialValue &value = variable.initial_value;
             properties.back().push_back({variable, {}});
             if (value.varies())
-              properties.back().back().expression.emplace(value.expression,
-                                                          value.path,
-                                                          symbols,
-                                                          ", or a number");
+              ground.check(
+                properties.back().back().expression.emplace(
+                  value.expression, value.path, symbols, ", or a number"),
+                value.path);
             if (!variable.symbol.empty())
               symbols.push_back(variable.symbol);
           }
@@ -40,12 +40,12 @@ namespace Waker
                              const Point<dim>  &x,
                              const unsigned int layer) const
   {
-    const Depths        d = depths->at(x, layer);
+    const InGround      place = ground->at(x, layer);
     std::vector<double> values, known; // known to those further down
     for (const Property &property : properties[material])
       {
         values.push_back(property.expression
-                           ? property.expression->value(x, d, known)
+                           ? property.expression->value(x, place, known)
                            : property.variable.initial_value.number);
         if (!property.variable.symbol.empty())
           known.push_back(values.back());

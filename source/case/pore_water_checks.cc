@@ -3,17 +3,42 @@
 
 #include <waker/base/errors.h>
 #include <waker/base/numbers.h>
+#include <waker/base/text.h>
 
 #include <algorithm>
 
 namespace Waker
 {
+  namespace
+  {
+    void
+    check_reach(const Parameters   &p,
+                const PhreaticLine &line,
+                const std::string  &path)
+    {
+      for (const LayerParameters &layer : p.layers)
+        for (const auto &corner : layer.corners())
+          if (corner[0] < line.begin() || corner[0] > line.end())
+            throw UserError(path,
+                            "reaches from x = " + in_digits(line.begin()) +
+                              " to " + in_digits(line.end()) +
+                              " m, the layer \"" + layer.name + "\" to " +
+                              in_digits(corner[0]) + " m",
+                            "a line over all soil");
+    }
+  } // namespace
+
+
   void
   check_pore_water(const Parameters &p)
   {
     p.pore_water.check();
     if (!p.pore_water.is_there())
       {
+        if (!tidy(p.pore_water.daily_phreatic_line).empty())
+          throw UserError("Pore water/Daily phreatic line",
+                          "is there, and Phreatic line is empty",
+                          "empty, or a phreatic line as well");
         for (const MaterialParameters &material : p.materials)
           if (p.water.stands() && material.has_friction())
             throw UserError("Materials/" + material.name + "/Model",
@@ -74,15 +99,7 @@ namespace Waker
                           ", but there is drained soil with water in it, "
                           "which would boil",
                         "0");
-    const PhreaticLine line = p.pore_water.line();
-    for (const LayerParameters &layer : p.layers)
-      for (const auto &corner : layer.corners())
-        if (corner[0] < line.begin() || corner[0] > line.end())
-          throw UserError("Pore water/Phreatic line",
-                          "reaches from x = " + in_digits(line.begin()) +
-                            " to " + in_digits(line.end()) +
-                            " m, the layer \"" + layer.name + "\" to " +
-                            in_digits(corner[0]) + " m",
-                          "a line over all soil");
+    check_reach(p, p.pore_water.line(), "Pore water/Phreatic line");
+    check_reach(p, p.pore_water.daily_line(), "Pore water/Daily phreatic line");
   }
 } // namespace Waker

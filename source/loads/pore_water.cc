@@ -33,6 +33,14 @@ namespace Waker
       "is, whatever the water outside does. Empty: no water in "
       "the ground, and stresses are total.",
       Patterns::Anything());
+    prm.add_parameter(
+      "Daily phreatic line",
+      daily_phreatic_line,
+      "The line, like that, under which the soil consolidated: it decides on "
+      "daily_vertical_stress, and on nothing else, for strengths that "
+      "follow from stresses (Materials/<name>/Strength from). Empty: the "
+      "same line.",
+      Patterns::Anything());
     prm.add_parameter("Largest suction",
                       largest_suction,
                       "Suction (kPa) that the soil above the line has at most, "
@@ -62,6 +70,24 @@ namespace Waker
   }
 
 
+  PhreaticLine
+  PoreWaterParameters::daily_line() const
+  {
+    return PhreaticLine(of_the_daily_water().phreatic_line,
+                        "Pore water/Daily phreatic line");
+  }
+
+
+  PoreWaterParameters
+  PoreWaterParameters::of_the_daily_water() const
+  {
+    PoreWaterParameters daily = *this;
+    if (!tidy(daily_phreatic_line).empty())
+      daily.phreatic_line = daily_phreatic_line;
+    return daily;
+  }
+
+
   void
   PoreWaterParameters::check() const
   {
@@ -70,6 +96,7 @@ namespace Waker
                       "is " + in_digits(largest_suction) + " kPa",
                       "at least 0");
     line();
+    daily_line();
   }
 
 

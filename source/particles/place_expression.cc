@@ -12,7 +12,11 @@ namespace Waker
       std::vector<std::string> names = {"x", "y"};
       if (dim == 3)
         names.push_back("z");
-      names.insert(names.end(), {"depth", "depth_in_layer"});
+      names.insert(names.end(),
+                   {"depth",
+                    "depth_in_layer",
+                    "vertical_stress",
+                    "daily_vertical_stress"});
       names.insert(names.end(), more.begin(), more.end());
       return names;
     }
@@ -31,14 +35,25 @@ namespace Waker
   template <int dim>
   double
   PlaceExpression<dim>::value(const Point<dim>          &x,
-                              const Depths              &depths,
+                              const InGround            &ground,
                               const std::vector<double> &more) const
   {
     std::vector<double> values(x.begin_raw(), x.end_raw());
-    values.push_back(depths.below_surface);
-    values.push_back(depths.in_layer);
+    values.insert(values.end(),
+                  {ground.depth,
+                   ground.depth_in_layer,
+                   ground.vertical_stress,
+                   ground.daily_vertical_stress});
     values.insert(values.end(), more.begin(), more.end());
     return expression.value(values.data());
+  }
+
+
+  template <int dim>
+  bool
+  PlaceExpression<dim>::asks_for_stress() const
+  {
+    return expression.uses(dim + 2) || expression.uses(dim + 3);
   }
 
 

@@ -64,6 +64,30 @@ namespace Waker
 
 
   template <int dim>
+  std::vector<typename SoilDepths<dim>::InLayer>
+  SoilDepths<dim>::column(const Point<dim> &x) const
+  {
+    std::vector<InLayer> soil;
+    for (const bool right : {true, false})
+      {
+        for (unsigned int layer = 0; layer < layer_bodies.size(); ++layer)
+          {
+            const LayerBody &body = layer_bodies[layer];
+            if (!reaches(body, x))
+              continue;
+            const double z = std::clamp(x[dim - 1], body.begin, body.end);
+            for (const LayerBody::Stretch &stretch :
+                 body.stretches(x[0], z, right))
+              soil.push_back({layer, stretch});
+          }
+        if (!soil.empty())
+          break;
+      }
+    return soil;
+  }
+
+
+  template <int dim>
   bool
   SoilDepths<dim>::holds(const Point<dim> &x, const unsigned int layer) const
   {

@@ -73,10 +73,10 @@ namespace Waker
       double                     most = 0., at = 0.;
       for (std::size_t q = 0; q < points.n_points(); ++q)
         {
-          const Point<dim> &x = points.initial_position[q];
-          const double      ground =
-            x[1] +
-            the_case.depths.at(x, the_case.layers_of_points[q]).below_surface;
+          const Point<dim> &x      = points.initial_position[q];
+          const double      ground = x[1] + the_case.ground.depths()
+                                         .at(x, the_case.layers_of_points[q])
+                                         .below_surface;
           const double above = the_case.pore_water.line().height(x[0]) - ground;
           if (above > most)
             {
@@ -239,9 +239,9 @@ namespace Waker
       }
 
     for (std::size_t l = 0; l < p.layers.size(); ++l)
-      check_maps(p.layers[l], the_case.depths.bodies()[l], warnings);
+      check_maps(p.layers[l], the_case.ground.depths().bodies()[l], warnings);
     for (const BodyGap &gap :
-         body_gaps(the_case.depths.bodies(), 0.5 * p.grid.cell_size))
+         body_gaps(the_case.ground.depths().bodies(), 0.5 * p.grid.cell_size))
       {
         std::ostringstream text;
         text << "Soil profile: between " << p.layers[gap.lower].name << " and "

@@ -4,16 +4,15 @@
 
 #include <waker/base/numbers.h>
 #include <waker/case/flow.h>
+#include <waker/case/ground.h>
 #include <waker/case/load_programmes.h>
 #include <waker/case/parameters.h>
-#include <waker/loads/pore_water.h>
 #include <waker/loads/tractions.h>
 #include <waker/measures/crest.h>
 #include <waker/mechanics/gravity_step.h>
 #include <waker/mechanics/stress_update.h>
 #include <waker/nodes/fixities.h>
 #include <waker/nodes/wall.h>
-#include <waker/particles/soil_depths.h>
 #include <waker/surface/user_surface.h>
 
 namespace Waker
@@ -46,8 +45,8 @@ namespace Waker
     const Flow<dim>                     flow;
     const Fixities<dim>                 fixities;
     const LoadProgrammes<dim>           programmes;
-    const SoilDepths<dim>               depths;
     const PoreWater<dim>                pore_water;
+    const Ground<dim>                   ground;
     const double        full_node_mass; // Mg, of a node inside the body
     MaterialPoints<dim> initial_points;
     /// Number of each one's layer; no layer has the number of what flows in.

@@ -2,8 +2,8 @@
 #ifndef waker_case_initial_properties_h
 #define waker_case_initial_properties_h
 
+#include <waker/case/ground.h>
 #include <waker/mechanics/stress_update.h>
-#include <waker/particles/place_expression.h>
 
 #include <optional>
 #include <vector>
@@ -21,8 +21,7 @@ namespace Waker
   public:
     /// Both are kept by reference.
     /// @throws UserError an expression that cannot be read
-    InitialProperties(const Materials       &materials,
-                      const SoilDepths<dim> &depths);
+    InitialProperties(const Materials &materials, const Ground<dim> &ground);
 
     /// The material's variables at a place in a layer, in the law's order. Not
     /// checked.
@@ -51,7 +50,7 @@ namespace Waker
     };
 
     const Materials                   *materials;
-    const SoilDepths<dim>             *depths;
+    const Ground<dim>                 *ground;
     std::vector<std::vector<Property>> properties; // by material
   };
 } // namespace Waker

@@ -44,7 +44,9 @@ namespace Waker
   struct PoreWaterParameters
   {
     /// "x, y; x, y; ...": corners (m), x ascending. Empty: no pore water.
-    std::string    phreatic_line;
+    std::string phreatic_line;
+    /// Likewise, of the days on which the soil consolidated. Empty: the same.
+    std::string    daily_phreatic_line;
     double         largest_suction = 0.; // kPa
     PorePressureOf pressure_of     = PorePressureOf::place;
 
@@ -54,6 +56,14 @@ namespace Waker
     /// @throws UserError "Pore water/Phreatic line"
     PhreaticLine
     line() const;
+
+    /// @throws UserError "Pore water/Daily phreatic line"
+    PhreaticLine
+    daily_line() const;
+
+    /// The same with the daily line as the line.
+    PoreWaterParameters
+    of_the_daily_water() const;
 
     void
     add_parameters(ParameterHandler &prm);
@@ -76,9 +86,6 @@ namespace Waker
   class PoreWater
   {
   public:
-    /// None.
-    PoreWater() = default;
-
     /// @param unit_weight of water (kN/m^3)
     /// @param of_effective_stress is the law of each material one?
     PoreWater(const PoreWaterParameters &parameters,

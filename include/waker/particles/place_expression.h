@@ -5,7 +5,6 @@
 #include <deal.II/base/point.h>
 
 #include <waker/base/named_expression.h>
-#include <waker/particles/soil_depths.h>
 
 #include <string>
 #include <vector>
@@ -14,9 +13,19 @@ namespace Waker
 {
   using namespace dealii;
 
+  /// A place in the ground at t = 0.
+  struct InGround
+  {
+    double depth;                 // m, below the highest soil over the place
+    double depth_in_layer;        // m, below the top of its layer
+    double vertical_stress;       // kPa, effective, compression positive
+    double daily_vertical_stress; // kPa, likewise, with the daily water
+  };
+
+
   /// A function of the place in the soil at t = 0 that the user writes: of x,
-  /// y, in 3D z, "depth" (below the surface) and "depth_in_layer" (below the
-  /// top of the layer), in m. Not for several threads at a time.
+  /// y, in 3D z (m), and of what InGround names. Not for several threads at a
+  /// time.
   template <int dim>
   class PlaceExpression
   {
@@ -33,8 +42,12 @@ namespace Waker
     /// @param more values of the further variables
     double
     value(const Point<dim>          &x,
-          const Depths              &depths,
+          const InGround            &ground,
           const std::vector<double> &more = {}) const;
+
+    /// Is a vertical stress among what it asks for?
+    bool
+    asks_for_stress() const;
 
     const std::string &
     text() const

@@ -44,6 +44,18 @@ namespace Waker
     Depths
     at(const Point<dim> &x, const unsigned int layer) const;
 
+    /// A stretch of a vertical line, and the number of the layer it lies in.
+    struct InLayer
+    {
+      unsigned int       layer;
+      LayerBody::Stretch stretch; // m
+    };
+
+    /// The soil on the vertical line through x. Of a line through the edge
+    /// between two columns the one on its right, if there is soil.
+    std::vector<InLayer>
+    column(const Point<dim> &x) const;
+
     /// Does the place lie in the layer, or on its edge?
     bool
     holds(const Point<dim> &x, const unsigned int layer) const;

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_case_ground_h
+#define waker_case_ground_h
+
+#include <waker/loads/pore_water.h>
+#include <waker/particles/place_expression.h>
+#include <waker/particles/soil_depths.h>
+
+#include <string>
+#include <vector>
+
+namespace Waker
+{
+  using namespace dealii;
+
+  struct Parameters;
+
+  /**
+   * The ground at t = 0, before anything moves: how deep a place lies in it,
+   * and what lies on it. The vertical stress is the weight of the column of
+   * soil and water over the place, whatever slopes beside it; effective where
+   * there is a phreatic line (compression positive).
+   */
+  template <int dim>
+  class Ground
+  {
+  public:
+    /// @param pore_water is kept by reference
+    /// @throws UserError as make_material_points()
+    Ground(const BackgroundGrid<dim> &grid,
+           const Parameters          &parameters,
+           const PoreWater<dim>      &pore_water);
+
+    /// @param layer number of the layer that the place belongs to; one that
+    /// there is not (of soil that flows in): all is NaN
+    InGround
+    at(const Point<dim> &x, const unsigned int layer) const;
+
+    const SoilDepths<dim> &
+    depths() const
+    {
+      return soil_depths;
+    }
+
+    /// Is an expression one that the ground can answer?
+    /// @param path of the parameter
+    /// @throws UserError path: it asks for the vertical stress, and water
+    /// stands outside but there is no phreatic line
+    void
+    check(const PlaceExpression<dim> &expression,
+          const std::string          &path) const;
+
+  private:
+    /// kN/m^3
+    struct UnitWeights
+    {
+      double above_line, below_line;
+    };
+
+    using Column = std::vector<typename SoilDepths<dim>::InLayer>;
+
+    /// sigma'_v (kPa) at x under what of its column lies over it.
+    double
+    vertical_stress(const Column         &column,
+                    const Point<dim>     &x,
+                    const PoreWater<dim> &water) const;
+
+    SoilDepths<dim>          soil_depths;
+    std::vector<UnitWeights> unit_weights; // by layer
+    const PoreWater<dim>    *pore_water;
+    PoreWater<dim>           daily_pore_water;
+    double                   water_weight; // kN/m^3
+    bool                     stress_is_known;
+  };
+} // namespace Waker
+
+#endif

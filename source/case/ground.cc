@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/errors.h>
+#include <waker/base/numbers.h>
+#include <waker/case/ground.h>
+#include <waker/case/parameters.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace Waker
+{
+  template <int dim>
+  Ground<dim>::Ground(const BackgroundGrid<dim> &grid,
+                      const Parameters          &p,
+                      const PoreWater<dim>      &pore_water)
+    : soil_depths(grid, p.layers)
+    , pore_water(&pore_water)
+    , daily_pore_water(p.pore_water.of_the_daily_water(),
+                       p.water.unit_weight,
+                       {})
+    , water_weight(p.water.unit_weight)
+    , stress_is_known(p.pore_water.is_there() || !p.water.stands())
+  {
+    // Without gravity nothing weighs anything.
+    const double share =
+      p.gravity.acceleration / p.gravity.density_acceleration();
+    for (const LayerParameters &layer : p.layers)
+      {
+        const auto material =
+          std::find_if(p.materials.begin(),
+                       p.materials.end(),
+                       [&](const auto &m) { return m.name == layer.material; });
+        AssertThrow(material != p.materials.end(), ExcInternalError());
+        const double above = share * material->unit_weight;
+        const double below = share * material->saturated_unit_weight;
+        unit_weights.push_back({above, below > 0. ? below : above});
+      }
+    for (const TractionParameters &traction : p.tractions)
+      if (traction.kind == TractionKind::hydrostatic)
+        stress_is_known = stress_is_known && p.pore_water.is_there();
+  }
+
+
+  template <int dim>
+  double
+  Ground<dim>::vertical_stress(const Column         &column,
+                               const Point<dim>     &x,
+                               const PoreWater<dim> &water) const
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const double line   = water.empty() ? -infinity : water.line().height(x[0]);
+    double       stress = 0., surface = x[1];
+    for (const auto &[layer, stretch] : column)
+      {
+        const double low = std::max(stretch.low, x[1]);
+        if (!(stretch.high > low))
+          continue;
+        const double border = std::clamp(line, low, stretch.high);
+        stress += unit_weights[layer].above_line * (stretch.high - border) +
+                  unit_weights[layer].below_line * (border - low);
+        surface = std::max(surface, stretch.high);
+      }
+    if (water.empty())
+      return stress;
+    return stress + water_weight * std::max(line - surface, 0.) -
+           water.pressure(x);
+  }
+
+
+  template <int dim>
+  InGround
+  Ground<dim>::at(const Point<dim> &x, const unsigned int layer) const
+  {
+    const Depths depths = soil_depths.at(x, layer);
+    if (layer >= soil_depths.n_layers())
+      return {nan, nan, nan, nan};
+    const auto column = soil_depths.column(x);
+    return {depths.below_surface,
+            depths.in_layer,
+            vertical_stress(column, x, *pore_water),
+            vertical_stress(column, x, daily_pore_water)};
+  }
+
+
+  template <int dim>
+  void
+  Ground<dim>::check(const PlaceExpression<dim> &expression,
+                     const std::string          &path) const
+  {
+    if (expression.asks_for_stress() && !stress_is_known)
+      throw UserError(path,
+                      "asks for the effective vertical stress (\"" +
+                        expression.text() +
+                        "\"), and water stands on the soil, but nothing says "
+                        "where it is in the ground",
+                      "a strength without it, or a phreatic line (Pore "
+                      "water/Phreatic line)");
+  }
+
+
+  template class Ground<2>;
+  template class Ground<3>;
+} // namespace Waker
