@@ -149,9 +149,18 @@ namespace Waker
   {
     if constexpr (dim == 3)
       if (!the_case->sections.empty())
-        return Waker::measure_dyke(surfaces.facets(),
-                                   the_case->sections,
-                                   level);
+        {
+          DykeGeometry dyke =
+            Waker::measure_dyke(surfaces.facets(), the_case->sections, level);
+          // Between two sections, or on a way across them.
+          if (const auto spill = water.spill();
+              spill && spill->height < dyke.height)
+            {
+              dyke.height   = spill->height;
+              dyke.height_z = spill->z;
+            }
+          return dyke;
+        }
     return Waker::measure_dyke(surfaces.section(), level);
   }
 

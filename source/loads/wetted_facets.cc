@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <queue>
 
 namespace Waker
 {
@@ -28,6 +29,7 @@ namespace Waker
   {
     wetted.clear();
     reached.clear();
+    lowest_spill.reset();
     is_reached.assign(facets.size(), 0);
     if (facets.empty())
       return;
@@ -35,10 +37,29 @@ namespace Waker
     finder.find(facets, link_limit * cell_size, links);
     find_body(facets);
     set_contacts(facets, bottom, cell_size);
-    start_at_toe(water_left, cell_size);
+    find_toe(water_left, cell_size, toe);
+    for (const unsigned int f : toe)
+      reach(f);
     if (reached.empty())
       start_at_lowest(facets, water_left, cell_size);
     flood(facets, level - tie * cell_size);
+    if (!toe.empty())
+      {
+        find_toe(!water_left, cell_size, other_toe);
+        // A facet at both toes closes a body's end: nothing gets over there.
+        other_toe.erase(std::remove_if(other_toe.begin(),
+                                       other_toe.end(),
+                                       [&](const unsigned int f) {
+                                         return std::find(toe.begin(),
+                                                          toe.end(),
+                                                          f) != toe.end();
+                                       }),
+                        other_toe.end());
+        if (std::any_of(other_toe.begin(), other_toe.end(), [&](const auto f) {
+              return is_reached[f];
+            }))
+          lowest_spill = find_spill(facets.size());
+      }
 
     for (const unsigned int f : reached)
       wetted.push_back(facets[f]);
@@ -94,11 +115,14 @@ namespace Waker
 
 
   void
-  WettedFacets::start_at_toe(const bool water_left, const double cell_size)
+  WettedFacets::find_toe(const bool                 left,
+                         const double               cell_size,
+                         std::vector<unsigned int> &toe)
   {
-    const int    wall = water_left ? 0 : 1;
-    const double side = water_left ? 1. : -1.;
+    const int    wall = left ? 0 : 1;
+    const double side = left ? 1. : -1.;
 
+    toe.clear();
     double first = far, last = -far;
     for (const FacetLink &link : links)
       {
@@ -153,13 +177,13 @@ namespace Waker
           -1,
           [&](const unsigned int f, const unsigned int k, const auto &link) {
             if (!at_wall[k] && x_of(link) <= outermost[k])
-              reach(f);
+              toe.push_back(f);
           });
     visit(wall,
           -1,
           [&](const unsigned int f, const unsigned int k, const auto &link) {
             if (at_wall[k] && y_of(link) <= lowest[k])
-              reach(f);
+              toe.push_back(f);
           });
   }
 
@@ -254,5 +278,60 @@ namespace Waker
       return;
     is_reached[facet] = 1;
     reached.push_back(facet);
+  }
+
+
+  std::optional<Spill>
+  WettedFacets::find_spill(const std::size_t n_facets) const
+  {
+    // As a pool fills: always on over the lowest link of its border.
+    std::vector<std::vector<unsigned int>> links_of(n_facets);
+    for (unsigned int l = 0; l < links.size(); ++l)
+      if (contacts[links[l].facets[0]] < 0 && contacts[links[l].facets[1]] < 0)
+        for (const unsigned int f : links[l].facets)
+          links_of[f].push_back(l);
+    std::vector<unsigned char> is_filled(n_facets, 0), is_end(n_facets, 0);
+    for (const unsigned int f : other_toe)
+      is_end[f] = 1;
+
+    struct Entry
+    {
+      double       height;
+      unsigned int link, facet;
+
+      bool
+      operator<(const Entry &other) const
+      {
+        return height > other.height; // the lowest on top
+      }
+    };
+    std::priority_queue<Entry> border;
+    const auto                 fill = [&](const unsigned int f) {
+      is_filled[f] = 1;
+      for (const unsigned int l : links_of[f])
+        for (const unsigned int g : links[l].facets)
+          if (!is_filled[g])
+            border.push({std::min(links[l].from[1], links[l].to[1]), l, g});
+    };
+    for (const unsigned int f : toe)
+      if (is_reached[f])
+        fill(f);
+
+    Spill spill{-far, 0.};
+    while (!border.empty())
+      {
+        const Entry entry = border.top();
+        border.pop();
+        if (is_filled[entry.facet])
+          continue;
+        const FacetLink &link = links[entry.link];
+        if (entry.height > spill.height)
+          spill = {entry.height,
+                   link.from[1] < link.to[1] ? link.from[2] : link.to[2]};
+        if (is_end[entry.facet])
+          return spill;
+        fill(entry.facet);
+      }
+    return {};
   }
 } // namespace Waker

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/measures/dyke_geometry.h>
 #include <waker/surface/proximity_field.h>
 
 #include "named.h"
@@ -138,6 +139,9 @@ namespace loads_wetted_facets
         const double thrust =
           level <= 3. ? 0.5 * level * level * gamma_w * 4. : 0.;
         EXPECT_NEAR(sum.force[0], thrust, 1e-10);
+        ASSERT_EQ(load.spill().has_value(), level > 3.);
+        if (level > 3.)
+          EXPECT_EQ(load.spill()->height, 3.);
         const double on_steps = std::max(level - 1., 0.) * 2. * 4. +
                                 std::max(level - 3., 0.) * 4. * 4.;
         EXPECT_NEAR(sum.force[1], -gamma_w * on_steps, 1e-10);
@@ -264,6 +268,12 @@ namespace loads_wetted_facets
         const double outer = wet_area(load, 0., 6.),
                      inner = wet_area(load, 10., 16.);
         EXPECT_GT(outer, 10.);
+        ASSERT_EQ(load.spill().has_value(), has_gap);
+        if (has_gap)
+          {
+            EXPECT_NEAR(load.spill()->height, 1.25, 0.25);
+            EXPECT_NEAR(load.spill()->z, 4., 1.25);
+          }
         if (has_gap)
           {
             EXPECT_NEAR(inner, outer, 0.3 * outer);
@@ -284,6 +294,42 @@ namespace loads_wetted_facets
         right.find(facets);
         EXPECT_EQ(wet_area(right, 0., 5.) > 0., has_gap);
         EXPECT_GT(wet_area(right, 10., 16.), 10.);
+      }
+  }
+
+
+
+  // Two ridges with gaps that do not face each other: no section is low, but a
+  // way between them is.
+  TEST(Loads, water_in_3d_finds_a_way_across_the_sections)
+  {
+    const auto      grid   = make_grid(8.);
+    const Facets<3> facets = detect_heights(
+      grid,
+      [](const double x, const double z) {
+        const double low  = 1.25 + (x > 7. && x < 9. ? 0.5 : 0.);
+        const bool   gap  = x < 8. ? z < 2. : z > 6.;
+        const bool   wall = (x > 5. && x < 7.) || (x > 9. && x < 11.);
+        return x < 3. || x > 13. ? 0. : wall && !gap ? 3.25 : low;
+      },
+      bottom_face | side_faces);
+    std::vector<double> sections;
+    for (double z = 0.5; z < 8.; z += 0.5)
+      sections.push_back(z);
+    EXPECT_GT(measure_dyke(facets, sections, 2.).height, 2.75);
+    for (const char *const side : {"left", "right"})
+      {
+        StandingWater<3> load(grid, water(side, 2.25));
+        load.find(facets);
+        ASSERT_TRUE(load.spill());
+        EXPECT_NEAR(load.spill()->height, 1.75, 0.2);
+        StandingWater<3> low(grid, water(side, load.spill()->height - 1e-3));
+        low.find(facets);
+        EXPECT_FALSE(low.spill());
+        StandingWater<3> high(grid, water(side, load.spill()->height + 1e-3));
+        high.find(facets);
+        ASSERT_TRUE(high.spill());
+        EXPECT_EQ(high.spill()->height, load.spill()->height);
       }
   }
 

@@ -66,6 +66,12 @@ namespace Waker
                             force);
     }
 
+    std::optional<Spill>
+    spill() const
+    {
+      return wet->spill();
+    }
+
     WaterResultant
     resultant() const
     {

@@ -62,6 +62,13 @@ namespace Waker
       return wet && !wet->is_empty();
     }
 
+    /// See WetSurface.
+    std::optional<Spill>
+    spill() const
+    {
+      return wet ? wet->spill() : std::optional<Spill>();
+    }
+
     /**
      * Add the nodal forces of what is wet to `force` (kN).
      *

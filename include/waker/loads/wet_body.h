@@ -48,6 +48,12 @@ namespace Waker
       return wetted.empty();
     }
 
+    std::optional<Spill>
+    spill() const override
+    {
+      return finder.spill();
+    }
+
     Facets<3>
     facets() const override
     {

@@ -10,6 +10,7 @@
 #include <waker/surface/shape/facet.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace Waker
@@ -20,6 +21,13 @@ namespace Waker
   {
     Tensor<1, 2> force;       // kN/m
     double       moment = 0.; // kNm/m, about the origin, anticlockwise
+  };
+
+  /// Where water gets over a body in space.
+  struct Spill
+  {
+    double height; // m, of the highest place on the lowest way
+    double z;      // m, of that place
   };
 
   template <int dim>
@@ -62,6 +70,14 @@ namespace Waker
 
     virtual bool
     is_empty() const = 0;
+
+    /// Does the water reach the toe on the other side, and where does it get
+    /// over? Nothing is known of that by default.
+    virtual std::optional<Spill>
+    spill() const
+    {
+      return {};
+    }
 
     /// For output.
     virtual Facets<dim>

@@ -2,9 +2,11 @@
 #ifndef waker_loads_wetted_facets_h
 #define waker_loads_wetted_facets_h
 
+#include <waker/loads/wet_surface.h>
 #include <waker/surface/facet_links.h>
 #include <waker/surface/shape/facet.h>
 
+#include <optional>
 #include <vector>
 
 namespace Waker
@@ -21,7 +23,8 @@ namespace Waker
    * lowest line where the surface leaves the wall. A body that touches no
    * bottom, but comes within a cell of it, stands on what of its underside is
    * as low. One that is higher up floats: it is wet from its lowest vertex on.
-   * Closed faces are not loaded.
+   * Closed faces are not loaded. Water that comes to the toe line on the other
+   * side has got over the body, or round its end.
    *
    * Facets may come from anywhere, as long as they are closed and meet as
    * FacetLinks can see. Keeps its work arrays from call to call.
@@ -38,6 +41,13 @@ namespace Waker
          const double     cell_size,
          Facets<3>       &wetted);
 
+    /// Where what was found last gets over; nothing if it does not.
+    std::optional<Spill>
+    spill() const
+    {
+      return lowest_spill;
+    }
+
   private:
     // Keep the links of the part with the largest volume.
     void
@@ -50,9 +60,13 @@ namespace Waker
                  const double     bottom,
                  const double     cell_size);
 
-    // Put the facets at the toe on the list `reached`.
+    // The facets at the toe on one side.
     void
-    start_at_toe(const bool water_left, const double cell_size);
+    find_toe(const bool                 left,
+             const double               cell_size,
+             std::vector<unsigned int> &toe);
+
+    // Put the facets that the water starts from on the list `reached`.
     void
     start_at_lowest(const Facets<3> &facets,
                     const bool       water_left,
@@ -64,6 +78,11 @@ namespace Waker
 
     void
     reach(const unsigned int facet);
+
+    // The way from the water's toe to the other one whose highest link is
+    // lowest.
+    std::optional<Spill>
+    find_spill(const std::size_t n_facets) const;
 
     FacetLinks                 finder;
     std::vector<FacetLink>     links;
@@ -78,6 +97,8 @@ namespace Waker
     std::vector<unsigned int>  neighbours;
     std::vector<unsigned int>  reached;
     std::vector<unsigned char> is_reached;
+    std::vector<unsigned int>  toe, other_toe;
+    std::optional<Spill>       lowest_spill;
     Facets<3>                  work;
   };
 } // namespace Waker
