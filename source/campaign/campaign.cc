@@ -51,16 +51,18 @@ namespace Waker
         scenario.hash  = input.campaign_hash;
         if (input.simulation.water.stands())
           scenario.water_level = input.simulation.water.level;
-        // fmax, fmin: NaN is no number to compare with.
-        for (const LayerParameters &layer : input.simulation.layers)
-          {
-            const auto [base, crest] =
-              level_range(layer,
-                          input.simulation.grid.lower_corner.back(),
-                          input.simulation.grid.upper_corner.back());
-            scenario.crest_level = std::fmax(scenario.crest_level, crest);
-            scenario.base_level  = std::fmin(scenario.base_level, base);
-          }
+        const GridParameters &grid    = input.simulation.grid;
+        const double          z_begin = grid.lower_corner.back();
+        const double          z_end   = grid.upper_corner.back();
+        const auto           &layers  = input.simulation.layers;
+        if (!layers.empty())
+          scenario.crest_level = drawn_crest(
+            layers, input.simulation.dimension, z_begin, z_end, grid.cell_size);
+        for (const LayerParameters &layer : layers)
+          // NaN is no number to compare with.
+          scenario.base_level =
+            std::fmin(scenario.base_level,
+                      level_range(layer, z_begin, z_end)[0]);
         if (!input.reliability.fields.fields.empty())
           scenario.scales = input.reliability.fields.fields[0].scales;
         info.scenarios.push_back(scenario);

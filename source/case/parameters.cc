@@ -109,21 +109,19 @@ namespace Waker
     void
     check_water(const WaterParameters              &water,
                 const std::vector<LayerParameters> &layers,
-                const GridParameters               &grid)
+                const GridParameters               &grid,
+                const unsigned int                  dim)
     {
       water.check();
       if (!water.stands())
         return;
-      double crest = std::numeric_limits<double>::lowest();
-      double base  = std::numeric_limits<double>::max();
+      const double z_begin = grid.lower_corner.back();
+      const double z_end   = grid.upper_corner.back();
+      const double crest =
+        drawn_crest(layers, dim, z_begin, z_end, grid.cell_size);
+      double base = std::numeric_limits<double>::max();
       for (const LayerParameters &layer : layers)
-        {
-          const auto [lowest, highest] = level_range(layer,
-                                                     grid.lower_corner.back(),
-                                                     grid.upper_corner.back());
-          crest                        = std::max(crest, highest);
-          base                         = std::min(base, lowest);
-        }
+        base = std::min(base, level_range(layer, z_begin, z_end)[0]);
       // It would load nothing, and the soil would have no width there.
       if (water.level < base)
         throw UserError("Water/Level",
@@ -293,7 +291,7 @@ namespace Waker
                       "no boundary condition carries the soil, so the static "
                       "step for the initial stress has no solution",
                       "at least one, or Gravity/Initial stress = false");
-    check_water(water, layers, grid);
+    check_water(water, layers, grid, dimension);
     check_pore_water(*this);
     for (const TractionParameters &traction : tractions)
       traction.check(dimension, mapping.functions);

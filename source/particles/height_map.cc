@@ -275,6 +275,25 @@ namespace Waker
   }
 
 
+  std::vector<double>
+  HeightMap::crossings(const double z) const
+  {
+    std::vector<double> places;
+    for (const Triangle &triangle : triangles)
+      for (unsigned int k = 0; k < 3; ++k)
+        {
+          const auto &a = triangle.corners[k];
+          const auto &b = triangle.corners[(k + 1) % 3];
+          if (a[1] == z)
+            places.push_back(a[0]);
+          if ((a[1] < z) != (b[1] < z))
+            places.push_back(a[0] +
+                             (b[0] - a[0]) * ((z - a[1]) / (b[1] - a[1])));
+        }
+    return places;
+  }
+
+
   std::array<double, 2>
   HeightMap::range() const
   {

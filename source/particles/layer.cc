@@ -7,12 +7,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace Waker
 {
   namespace
   {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+
     std::string
     interval(const double begin, const double end)
     {
@@ -166,17 +169,30 @@ namespace Waker
   }
 
 
+  namespace
+  {
+    LayerBody
+    body_of(const LayerParameters &parameters,
+            const double           z_begin,
+            const double           z_end)
+    {
+      LayerBody body;
+      body.corners          = parameters.corners();
+      const bool has_extent = parameters.extent.size() == 2;
+      body.begin            = has_extent ? parameters.extent[0] : z_begin;
+      body.end              = has_extent ? parameters.extent[1] : z_end;
+      read_maps(parameters, 1e-6 * (body.end - body.begin), body);
+      return body;
+    }
+  } // namespace
+
+
   std::array<double, 2>
   level_range(const LayerParameters &parameters,
               const double           z_begin,
               const double           z_end)
   {
-    LayerBody body;
-    body.corners          = parameters.corners();
-    const bool has_extent = parameters.extent.size() == 2;
-    body.begin            = has_extent ? parameters.extent[0] : z_begin;
-    body.end              = has_extent ? parameters.extent[1] : z_end;
-    read_maps(parameters, 1e-6 * (body.end - body.begin), body);
+    const LayerBody body = body_of(parameters, z_begin, z_end);
     const auto [low, high] =
       std::minmax_element(body.corners.begin(),
                           body.corners.end(),
@@ -189,6 +205,42 @@ namespace Waker
     if (body.top != nullptr)
       levels[1] = std::min(levels[1], body.top->range()[1]);
     return levels;
+  }
+
+
+  double
+  drawn_crest(const std::vector<LayerParameters> &layers,
+              const unsigned int                  dim,
+              const double                        z_begin,
+              const double                        z_end,
+              const double                        cell_size)
+  {
+    std::vector<LayerBody> bodies;
+    double                 begin = infinity, end = -infinity;
+    for (const LayerParameters &layer : layers)
+      {
+        bodies.push_back(body_of(layer, z_begin, z_end));
+        begin = std::min(begin, bodies.back().begin);
+        end   = std::max(end, bodies.back().end);
+      }
+    const double tolerance = 1e-6 * cell_size;
+    double       lowest    = infinity;
+    const long   n =
+      dim == 2 ? 1 : std::lround(2. * (z_end - z_begin) / cell_size);
+    for (long k = 0; k <= n; ++k)
+      {
+        const double z = z_begin + (dim == 2 ? 0. : 0.5 * k * cell_size);
+        if (dim == 3 && !(z > begin + tolerance && z < end - tolerance))
+          continue;
+        double highest = -infinity;
+        for (const LayerBody &body : bodies)
+          if (z >= body.begin - tolerance && z <= body.end + tolerance)
+            highest =
+              std::max(highest,
+                       body.highest_at(std::clamp(z, body.begin, body.end)));
+        lowest = std::min(lowest, highest);
+      }
+    return lowest;
   }
 
 

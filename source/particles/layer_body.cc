@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 
@@ -12,6 +13,8 @@ namespace Waker
   namespace
   {
     using Corner = std::array<double, 2>;
+
+    constexpr double infinity = std::numeric_limits<double>::infinity();
 
     /// Shares that differ by less come from round-off.
     constexpr double round_off = 1e-12;
@@ -64,6 +67,48 @@ namespace Waker
           result.push_back(stretch);
       }
     return result;
+  }
+
+
+  double
+  LayerBody::highest_at(const double z) const
+  {
+    std::vector<double> places;
+    for (const Corner &corner : corners)
+      places.push_back(corner[0]);
+    for (const HeightMap *const map : {top.get(), bottom.get()})
+      if (map != nullptr)
+        for (const double x : map->crossings(z))
+          places.push_back(x);
+    std::sort(places.begin(), places.end());
+
+    // Between these all borders are lines: a maximum may lie where the map cuts
+    // off a side of the polygon.
+    const std::size_t n = top == nullptr ? 0 : places.size();
+    for (std::size_t i = 0; i + 1 < n; ++i)
+      for (std::size_t k = 0; k < corners.size(); ++k)
+        {
+          const Corner &a = corners[k], &b = corners[(k + 1) % corners.size()];
+          const double  x[2] = {places[i], places[i + 1]};
+          if (!(std::min(a[0], b[0]) <= x[0] && x[1] <= std::max(a[0], b[0]) &&
+                x[0] < x[1]))
+            continue;
+          double above[2]; // the side over the map
+          for (unsigned int e = 0; e < 2; ++e)
+            above[e] = a[1] + (b[1] - a[1]) * ((x[e] - a[0]) / (b[0] - a[0])) -
+                       top->at(x[e], z).value_or(infinity);
+          if (std::isfinite(above[0]) && std::isfinite(above[1]) &&
+              above[0] * above[1] < 0.)
+            places.push_back(x[0] +
+                             (x[1] - x[0]) * above[0] / (above[0] - above[1]));
+        }
+
+    double highest = -infinity;
+    for (const double x : places)
+      for (const bool right : {true, false})
+        for (const Stretch &stretch : stretches(x, z, right))
+          highest = std::max(highest, stretch.high);
+    return highest;
   }
 
 

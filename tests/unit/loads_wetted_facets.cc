@@ -141,7 +141,9 @@ namespace loads_wetted_facets
         EXPECT_NEAR(sum.force[0], thrust, 1e-10);
         ASSERT_EQ(load.spill().has_value(), level > 3.);
         if (level > 3.)
-          EXPECT_EQ(load.spill()->height, 3.);
+          {
+            EXPECT_EQ(load.spill()->height, 3.);
+          }
         const double on_steps = std::max(level - 1., 0.) * 2. * 4. +
                                 std::max(level - 3., 0.) * 4. * 4.;
         EXPECT_NEAR(sum.force[1], -gamma_w * on_steps, 1e-10);

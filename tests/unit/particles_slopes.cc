@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/particles/layer.h>
 #include <waker/particles/soil_depths.h>
 #include <waker/particles/soil_profile.h>
 
@@ -165,6 +166,33 @@ namespace particles_slopes
     EXPECT_FALSE(depths.holds(Point<3>(3., 0.6, 4.), 0));
     EXPECT_TRUE(depths.holds(Point<3>(3., 0.5, 0.), 0));
     EXPECT_FALSE(depths.holds(Point<3>(4., 0.2, 4.), 0));
+  }
+
+
+  // As high as its lowest section.
+  TEST(Slopes, the_drawn_crest_is_that_of_the_lowest_section)
+  {
+    TemporaryFolder folder;
+    LayerParameters block = layer("block", "0, 0; 6, 0; 6, 1.5; 0, 1.5");
+    const auto      crest = [](const std::vector<LayerParameters> &layers) {
+      return drawn_crest(layers, 3, 0., 8., 0.25);
+    };
+    EXPECT_EQ(crest({block}), 1.5);
+    EXPECT_EQ(crest({slope}), 1.);
+    block.top = write_map(folder, [](const double x, const double z) {
+      return std::min(1., 3.5 - x) - 0.4 * std::max(0., 1. - std::abs(z - 4.));
+    });
+    EXPECT_NEAR(crest({block}), 0.6, 1e-12);
+    EXPECT_NEAR(level_range(block, 0., 8.)[1], 1., 1e-12);
+    // Another layer fills the dip, but for its ends.
+    LayerParameters fill = layer("fill", "0, 0; 6, 0; 6, 1.5; 0, 1.5");
+    fill.extent          = {3.25, 4.75};
+    EXPECT_NEAR(crest({block, fill}), 1. - 0.4 * 0.125, 1e-12);
+    // A roof that falls, cut off by a map that rises: they meet at x = 3.
+    LayerParameters wedge = layer("wedge", "0, 0; 6, 0; 0, 6");
+    wedge.top =
+      write_map(folder, [](const double x, double) { return x + 0.1; });
+    EXPECT_NEAR(crest({wedge}), 3.05, 1e-12);
   }
 
 

@@ -47,6 +47,10 @@ namespace Waker
     std::array<double, 2>
     range() const;
 
+    /// The x (m) at which sides of triangles cross the line at z, in no order.
+    std::vector<double>
+    crossings(const double z) const;
+
     /// Call f(part, height) for the part of the polygon in each triangle.
     void
     for_each_part(

@@ -57,6 +57,17 @@ namespace Waker
               const double           z_begin,
               const double           z_end);
 
+  /// The height (m) of the crest of all layers as they are drawn: in space of
+  /// the lowest section across them, of those half a cell apart.
+  /// @param z_begin, z_end of the grid (m)
+  /// @throws UserError as place_layer()
+  double
+  drawn_crest(const std::vector<LayerParameters> &layers,
+              const unsigned int                  dim,
+              const double                        z_begin,
+              const double                        z_end,
+              const double                        cell_size);
+
   /// Set the layer's material, velocity and stress.
   /// @throws UserError ".../Material": unknown; ".../Velocity", ".../Initial
   /// stress": wrong length, no expression of place

@@ -47,6 +47,10 @@ namespace Waker
     std::vector<Stretch>
     stretches(const double x, const double z, const bool right) const;
 
+    /// The height of the highest place at z; exact. Nothing there: -infinity.
+    double
+    highest_at(const double z) const;
+
     /// Volume; exact.
     double
     volume() const;
