@@ -119,17 +119,25 @@ namespace Waker
   }
 
 
-  const std::string *
+  std::optional<std::string>
   MaterialParameters::undrained_strength() const
   {
     switch (model)
       {
         case MaterialModel::linear_elastic:
         case MaterialModel::mohr_coulomb:
-          return nullptr;
+          return {};
         case MaterialModel::von_mises_softening:
-          return &von_mises.initial_strength;
+          return von_mises.strength_expression("Materials/" + name + "/");
       }
-    return nullptr;
+    return {};
+  }
+
+
+  bool
+  MaterialParameters::strength_follows_stress() const
+  {
+    const auto strength = undrained_strength();
+    return strength && strength->find("vertical_stress") != std::string::npos;
   }
 } // namespace Waker

@@ -21,8 +21,11 @@ namespace Waker
                       "strain, above 0: a number, or an expression of the "
                       "place at the start: x, y, z, depth below the highest "
                       "soil over it, depth_in_layer below the top of its layer "
-                      "(m); for example \"8 + 1.5*depth_in_layer\".",
+                      "(m), vertical_stress and daily_vertical_stress (kPa, "
+                      "effective, see Strength from); for example \"8 + "
+                      "1.5*depth_in_layer\".",
                       ExpressionPattern());
+    strength.add_parameters(prm);
     prm.add_parameter("Residual strength",
                       residual_strength,
                       "Undrained shear strength c_r (kPa) after softening, at "
@@ -52,6 +55,11 @@ namespace Waker
                                                  const unsigned int dim) const
   {
     check_expression(path + "Initial strength", initial_strength, {}, dim);
+    strength.check(path);
+    check_expression(path + strength.name_of_parameter(),
+                     strength_expression(path),
+                     {},
+                     dim);
     check_expression(path + "Residual strength",
                      residual_strength,
                      {"initial_strength"},
@@ -65,7 +73,8 @@ namespace Waker
                                      const double softening_scale) const
   {
     // Expressions are read where the points are.
-    const std::optional<double> initial  = plain_number(initial_strength);
+    const std::optional<double> initial =
+      plain_number(strength_expression(path));
     const std::optional<double> residual = plain_number(residual_strength);
     if (initial)
       require_positive(path + "Initial strength", *initial, "kPa");
@@ -73,8 +82,8 @@ namespace Waker
         !(*residual >= 0. && *residual <= initial.value_or(*residual)))
       throw UserError(path + "Residual strength",
                       "is " + in_digits(*residual) +
-                        " kPa, the initial strength " + initial_strength +
-                        " kPa",
+                        " kPa, the initial strength " +
+                        strength_expression(path) + " kPa",
                       "from 0 to the initial strength");
     if (!(softening_modulus <= 0.))
       throw UserError(path + "Softening modulus",
@@ -117,13 +126,19 @@ namespace Waker
                            const double                       softening_scale,
                            const std::string                 &path)
   {
+    std::optional<InitialValue> overconsolidation;
+    const std::string           ratio = parameters.strength.overconsolidation();
+    if (!ratio.empty())
+      overconsolidation = initial_value(ratio, path + "POP");
     return std::make_unique<VonMisesSoftening>(
       density,
       elastic.youngs_modulus,
       elastic.poissons_ratio,
-      initial_value(parameters.initial_strength, path + "Initial strength"),
+      initial_value(parameters.strength_expression(path),
+                    path + parameters.strength.name_of_parameter()),
       initial_value(parameters.residual_strength, path + "Residual strength"),
       softening_scale * parameters.softening_modulus,
-      parameters.plastic_strain_invariant);
+      parameters.plastic_strain_invariant,
+      overconsolidation);
   }
 } // namespace Waker

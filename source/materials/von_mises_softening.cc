@@ -13,19 +13,22 @@ namespace Waker
   }
 
 
-  VonMisesSoftening::VonMisesSoftening(const double        density,
-                                       const double        youngs_modulus,
-                                       const double        poissons_ratio,
-                                       const InitialValue &initial_strength,
-                                       const InitialValue &residual_strength,
-                                       const double        softening_modulus,
-                                       const Invariant     invariant)
+  VonMisesSoftening::VonMisesSoftening(
+    const double                       density,
+    const double                       youngs_modulus,
+    const double                       poissons_ratio,
+    const InitialValue                &initial_strength,
+    const InitialValue                &residual_strength,
+    const double                       softening_modulus,
+    const Invariant                    invariant,
+    const std::optional<InitialValue> &overconsolidation_ratio)
     : LinearElastic(density, youngs_modulus, poissons_ratio)
     , initial_strength(initial_strength)
     , residual_strength(residual_strength)
     , plastic_strain_factor(invariant == Invariant::equivalent ? 1.
                                                                : sqrt_3 / 2.)
     , softening(softening_modulus * plastic_strain_factor)
+    , overconsolidation_ratio(overconsolidation_ratio)
   {
     Assert(3. * G + sqrt_3 * softening > 0.,
            ExcMessage("the softening modulus snaps back"));
@@ -35,19 +38,26 @@ namespace Waker
   std::vector<MaterialVariable>
   VonMisesSoftening::variables() const
   {
-    using Role = MaterialVariable::Role;
-    return {{"undrained shear strength",
-             "kPa",
-             initial_strength,
-             Role::strength,
-             "initial_strength"},
-            {"residual strength",
-             "kPa",
-             residual_strength,
-             Role::residual_strength,
-             "",
-             "undrained shear strength"},
-            {"plastic strain", "-", 0., Role::history}};
+    using Role                         = MaterialVariable::Role;
+    std::vector<MaterialVariable> list = {
+      {"undrained shear strength",
+       "kPa",
+       initial_strength,
+       Role::strength,
+       "initial_strength"},
+      {"residual strength",
+       "kPa",
+       residual_strength,
+       Role::residual_strength,
+       "",
+       "undrained shear strength"},
+      {"plastic strain", "-", 0., Role::history}};
+    if (overconsolidation_ratio)
+      list.push_back({"overconsolidation ratio",
+                      "-",
+                      *overconsolidation_ratio,
+                      Role::history});
+    return list;
   }
 
 
@@ -64,6 +74,11 @@ namespace Waker
              << initial << " kPa";
         return {{1, text.str()}};
       }
+    // Of soil that has never borne less than now it is 1, but for round-off.
+    if (overconsolidation_ratio && !(variables[3] >= 1. - 1e-9))
+      return {{3,
+               "at least 1 at every point: no less daily stress, or more POP, "
+               "than the stress of now"}};
     return Material::initial_problem(variables);
   }
 

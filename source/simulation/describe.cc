@@ -7,8 +7,10 @@
 #include <waker/simulation/describe.h>
 #include <waker/simulation/plausibility.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <numeric>
 #include <sstream>
 
@@ -64,6 +66,37 @@ namespace Waker
       limit("stopped", p.stopped_by, p.stop_above);
       return text.str();
     }
+
+
+    /// ", undrained shear strength 8.3 to 25 kPa, ...": of what varies with the
+    /// place, as it is at the start.
+    template <int dim>
+    std::string
+    ranges(const MaterialPoints<dim> &points,
+           const unsigned int         number,
+           const Material            &material)
+    {
+      std::ostringstream text;
+      text.precision(4);
+      for (const MaterialVariable &variable : material.variables())
+        {
+          if (!variable.initial_value.varies())
+            continue;
+          const auto &values =
+            points.scalars[points.find_scalar(variable.name)].values;
+          double least = std::numeric_limits<double>::max(), largest = -least;
+          for (std::size_t p = 0; p < points.n_points(); ++p)
+            if (points.material[p] == number)
+              {
+                least   = std::min(least, values[p]);
+                largest = std::max(largest, values[p]);
+              }
+          if (least <= largest)
+            text << ", " << variable.name << " " << least << " to " << largest
+                 << (variable.unit == "-" ? "" : " " + variable.unit);
+        }
+      return text.str();
+    }
   } // namespace
 
 
@@ -102,8 +135,14 @@ namespace Waker
           points.n_points() * std::pow(h, dim) / volume);
     else
       log.line("  points    none");
-    for (const MaterialParameters &m : p.materials)
-      say(log, "  material  %s: %s", m.name.c_str(), name_of(m.model));
+    for (unsigned int m = 0; m < p.materials.size(); ++m)
+      say(log,
+          "  material  %s: %s%s",
+          p.materials[m].name.c_str(),
+          name_of(p.materials[m].model),
+          m < the_case.materials.size()
+            ? ranges(points, m, *the_case.materials[m]).c_str()
+            : "");
 
     const double      c      = wave_speed(the_case.materials);
     const double      dt     = first_time_step(p.time, the_case.materials, h);

@@ -35,7 +35,7 @@ namespace Waker
           const auto strength = variable_of(*the_case.materials[m],
                                             MaterialVariable::Role::strength);
           if (!strength || !strength->initial_value.varies() ||
-              materials[m].undrained_strength() == nullptr)
+              !materials[m].undrained_strength())
             continue;
           const auto &values =
             points.scalars[points.find_scalar(strength->name)].values;

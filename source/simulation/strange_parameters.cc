@@ -56,6 +56,14 @@ namespace Waker
                     "Side = none",
                     warnings);
       for (const MaterialParameters &m : p.materials)
+        if (m.model == MaterialModel::von_mises_softening)
+          for (const std::string &name : m.von_mises.strength.unused())
+            warn_unused(true,
+                        "Materials/" + m.name + "/" + name,
+                        std::string("Strength from = ") +
+                          name_of(m.von_mises.strength.from),
+                        warnings);
+      for (const MaterialParameters &m : p.materials)
         warn_unused(!p.pore_water.is_there() && m.saturated_unit_weight != 0.,
                     "Materials/" + m.name + "/Saturated unit weight",
                     "no Pore water/Phreatic line",
@@ -65,6 +73,7 @@ namespace Waker
                                  p.materials.end(),
                                  [](const MaterialParameters &m) {
                                    return m.is_drained() ||
+                                          m.strength_follows_stress() ||
                                           m.saturated_unit_weight != 0.;
                                  }),
                   "Pore water/Phreatic line",
@@ -275,10 +284,30 @@ namespace Waker
                    "usual is");
       if (m.model == MaterialModel::mohr_coulomb)
         check_friction(path, m.mohr_coulomb, ranges);
+      const UndrainedStrengthParameters &strength = m.von_mises.strength;
+      if (m.model == MaterialModel::von_mises_softening &&
+          strength.from == StrengthFrom::shansep)
+        {
+          ranges.check(path + "Strength ratio",
+                       strength.ratio,
+                       0.15,
+                       0.6,
+                       "",
+                       "clay and peat have");
+          ranges.check(path + "Strength exponent",
+                       strength.exponent,
+                       0.7,
+                       1.,
+                       "",
+                       "clay and peat have");
+          ranges.check(
+            path + "POP", strength.pop, 0., 100., " kPa", "usual is");
+        }
       // Of an expression the points know the values.
-      if (m.undrained_strength() == nullptr)
+      const auto undrained = m.undrained_strength();
+      if (!undrained)
         return;
-      if (const auto strength = plain_number(*m.undrained_strength()))
+      if (const auto strength = plain_number(*undrained))
         check_strength(path, *strength, m.elastic.youngs_modulus, ranges);
     }
   } // namespace

@@ -7,6 +7,8 @@
 #include <waker/materials/von_mises_softening.h>
 
 #include <memory>
+#include <optional>
+#include <string>
 
 namespace dealii
 {
@@ -58,10 +60,14 @@ namespace Waker
     VonMisesSofteningParameters von_mises;
     MohrCoulombParameters       mohr_coulomb;
 
-    /// The undrained shear strength as the user writes it; null if the law has
-    /// none.
-    const std::string *
+    /// The undrained shear strength as an expression of the place; nothing if
+    /// the law has none.
+    std::optional<std::string>
     undrained_strength() const;
+
+    /// Does its strength follow from the stress in the ground at the start?
+    bool
+    strength_follows_stress() const;
 
     /// Is its law one of effective stress (Material::is_of_effective_stress())?
     bool

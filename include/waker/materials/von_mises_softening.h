@@ -3,8 +3,10 @@
 #define waker_materials_von_mises_softening_h
 
 #include <waker/materials/linear_elastic.h>
+#include <waker/materials/undrained_strength.h>
 
 #include <memory>
+#include <optional>
 
 namespace Waker
 {
@@ -31,17 +33,20 @@ namespace Waker
 
     /// @param initial_strength, residual_strength, softening_modulus in kPa;
     /// the strengths are the points' default, each point has its own
-    VonMisesSoftening(const double        density,
-                      const double        youngs_modulus,
-                      const double        poissons_ratio,
-                      const InitialValue &initial_strength,
-                      const InitialValue &residual_strength,
-                      const double        softening_modulus,
-                      const Invariant     invariant = Invariant::equivalent);
+    /// @param overconsolidation_ratio at the start, if the strength knows it
+    VonMisesSoftening(
+      const double                       density,
+      const double                       youngs_modulus,
+      const double                       poissons_ratio,
+      const InitialValue                &initial_strength,
+      const InitialValue                &residual_strength,
+      const double                       softening_modulus,
+      const Invariant                    invariant = Invariant::equivalent,
+      const std::optional<InitialValue> &overconsolidation_ratio = {});
 
     /// "undrained shear strength" (now, kPa), "residual strength" (kPa),
-    /// "plastic strain" (-). The residual strength may be an expression of
-    /// "initial_strength".
+    /// "plastic strain" (-), and "overconsolidation ratio" (-) if it is known.
+    /// The residual strength may be an expression of "initial_strength".
     std::vector<MaterialVariable>
     variables() const override;
 
@@ -69,6 +74,7 @@ namespace Waker
     InitialValue residual_strength;
     double       plastic_strain_factor; // invariant / equivalent plastic strain
     double       softening; // dc / d(equivalent plastic strain), kPa
+    std::optional<InitialValue> overconsolidation_ratio;
   };
 
   constexpr const char *
@@ -88,8 +94,10 @@ namespace Waker
   /// What the user says of its strength: in "Materials/<name>".
   struct VonMisesSofteningParameters
   {
-    /// c_i (kPa): a number, or an expression of the place.
-    std::string initial_strength = "13";
+    /// c_i (kPa): a number, or an expression of the place; unless it follows
+    /// from a stress.
+    std::string                 initial_strength = "13";
+    UndrainedStrengthParameters strength;
     /// c_r (kPa), likewise; it may contain "initial_strength".
     std::string residual_strength = "5";
     double      softening_modulus = -50.; // H_s = dc / d(plastic strain), kPa
@@ -99,6 +107,14 @@ namespace Waker
 
     void
     add_parameters(ParameterHandler &prm);
+
+    /// c_i as an expression of the place, wherever it comes from.
+    /// @param path "Materials/<name>/"
+    std::string
+    strength_expression(const std::string &path) const
+    {
+      return strength.expression(initial_strength, path);
+    }
 
     /// Can the strengths be read?
     /// @param path "Materials/<name>/"

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/parameter_handler.h>
+
+#include <waker/base/checks.h>
+#include <waker/base/choice_parameter.h>
+#include <waker/base/errors.h>
+#include <waker/base/numbers.h>
+#include <waker/base/text.h>
+#include <waker/materials/undrained_strength.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace Waker
+{
+  namespace
+  {
+    /// With all digits, in parentheses: a part of an expression.
+    std::string
+    exact(const double number)
+    {
+      std::ostringstream text;
+      text.precision(17);
+      text << "(" << number << ")";
+      return text.str();
+    }
+  } // namespace
+
+
+  void
+  UndrainedStrengthParameters::add_parameters(ParameterHandler &prm)
+  {
+    add_choice(prm,
+               "Strength from",
+               from,
+               "What the undrained shear strength at the start follows from. "
+               "initial strength: that parameter. SHANSEP: S vertical_stress "
+               "OCR^m, with OCR = (daily_vertical_stress + POP) / "
+               "vertical_stress, both effective; they are the weight of the "
+               "column over the place, less the pressure of the water in "
+               "the ground (Pore water). table: Strength table. The strength "
+               "stays with the soil when it moves.");
+    prm.add_parameter("Strength ratio",
+                      ratio,
+                      "SHANSEP: S (-), above 0, the strength of normally "
+                      "consolidated soil divided by its vertical stress; "
+                      "usual is 0.2 to 0.4.",
+                      Patterns::Double(0.));
+    prm.add_parameter("Strength exponent",
+                      exponent,
+                      "SHANSEP: m (-), from 0 to 1, power of the "
+                      "overconsolidation ratio; usual is 0.8 to 0.95.",
+                      Patterns::Double(0., 1.));
+    prm.add_parameter("POP",
+                      pop,
+                      "SHANSEP: pre-overburden pressure (kPa), at least 0: by "
+                      "how much the yield stress of the soil is above its "
+                      "daily vertical stress.",
+                      Patterns::Double(0.));
+    prm.add_parameter("Strength table",
+                      table,
+                      "Strength by effective vertical stress, \"s0: c0, s1: "
+                      "c1, ...\" (kPa), stresses ascending, with straight "
+                      "lines between; constant below the first and above "
+                      "the last.",
+                      Patterns::Anything());
+  }
+
+
+  void
+  UndrainedStrengthParameters::check(const std::string &path) const
+  {
+    switch (from)
+      {
+        case StrengthFrom::place:
+          return;
+        case StrengthFrom::shansep:
+          require_positive(path + "Strength ratio", ratio);
+          if (!(exponent >= 0. && exponent <= 1.))
+            throw UserError(path + "Strength exponent",
+                            "is " + in_digits(exponent),
+                            "from 0 to 1");
+          if (!(pop >= 0. && std::isfinite(pop)))
+            throw UserError(path + "POP",
+                            "is " + in_digits(pop) + " kPa",
+                            "a pressure (kPa) of at least 0");
+          return;
+        case StrengthFrom::table:
+          entries(path);
+          return;
+      }
+  }
+
+
+  std::string
+  UndrainedStrengthParameters::expression(const std::string &own,
+                                          const std::string &path) const
+  {
+    switch (from)
+      {
+        case StrengthFrom::place:
+          return own;
+        case StrengthFrom::shansep:
+          return exact(ratio) + "*vertical_stress^" + exact(1. - exponent) +
+                 "*(daily_vertical_stress + " + exact(pop) + ")^" +
+                 exact(exponent);
+        case StrengthFrom::table:
+          {
+            // Of each line the part that the stress has gone.
+            const auto  list = entries(path);
+            std::string sum  = exact(list.front().second);
+            for (std::size_t i = 1; i < list.size(); ++i)
+              {
+                const auto &[low, at_low]   = list[i - 1];
+                const auto &[high, at_high] = list[i];
+                sum += " + " + exact((at_high - at_low) / (high - low)) +
+                       "*(min(max(vertical_stress, " + exact(low) + "), " +
+                       exact(high) + ") - " + exact(low) + ")";
+              }
+            return sum;
+          }
+      }
+    return own;
+  }
+
+
+  std::string
+  UndrainedStrengthParameters::name_of_parameter() const
+  {
+    switch (from)
+      {
+        case StrengthFrom::place:
+          return "Initial strength";
+        case StrengthFrom::shansep:
+          return "Strength from";
+        case StrengthFrom::table:
+          return "Strength table";
+      }
+    return "";
+  }
+
+
+  std::string
+  UndrainedStrengthParameters::overconsolidation() const
+  {
+    return from == StrengthFrom::shansep
+             ? "(daily_vertical_stress + " + exact(pop) + ")/vertical_stress"
+             : "";
+  }
+
+
+  std::vector<std::string>
+  UndrainedStrengthParameters::unused() const
+  {
+    const UndrainedStrengthParameters usual;
+    std::vector<std::string>          names;
+    if (from != StrengthFrom::shansep)
+      {
+        if (ratio != usual.ratio)
+          names.push_back("Strength ratio");
+        if (exponent != usual.exponent)
+          names.push_back("Strength exponent");
+        if (pop != usual.pop)
+          names.push_back("POP");
+      }
+    if (from != StrengthFrom::table && !tidy(table).empty())
+      names.push_back("Strength table");
+    return names;
+  }
+
+
+  std::vector<std::pair<double, double>>
+  UndrainedStrengthParameters::entries(const std::string &path) const
+  {
+    const std::string allowed =
+      "two pairs or more, \"stress: strength, ...\" (kPa), stresses ascending "
+      "from 0 or more, strengths at least 0";
+    const auto refuse = [&](const std::string &problem) {
+      throw UserError(path + "Strength table", problem, allowed);
+    };
+    std::vector<std::pair<double, double>> list;
+    for (const std::string &entry : split(table, ','))
+      {
+        const std::vector<std::string> pair = split(entry, ':');
+        double                         stress, strength;
+        if (pair.size() != 2 || !read_number(pair[0], stress) ||
+            !read_number(pair[1], strength))
+          refuse("has the entry " + in_quotes(entry) + ", not two numbers");
+        if (!(stress >= 0. && strength >= 0. && std::isfinite(stress) &&
+              std::isfinite(strength)))
+          refuse("has the entry " + in_quotes(entry));
+        if (!list.empty() && !(stress > list.back().first))
+          refuse("has the stress " + pair[0] + " kPa after " +
+                 in_digits(list.back().first) + " kPa");
+        list.emplace_back(stress, strength);
+      }
+    if (list.size() < 2)
+      refuse("has " + counted(list.size(), "pair"));
+    return list;
+  }
+} // namespace Waker
