@@ -10,7 +10,8 @@ Each campaign folder is first put into DATA_FOLDER as <name>.csv with the column
 that count, named after its Output/Directory without "output-chapter6-". A table
 that is there is extended, also by a campaign of a later program with other numbers
 (--realisations 52:100 after 0:54), if those that are in both are equal and one of
-them slid; else it is replaced. One that is not merged yet is copied and merged by
+them slid; else it is replaced, but by the same campaign with other numbers: then it
+stays, and that is said. One that is not merged yet is copied and merged by
 PROGRAM, and stays as it is. Then the figures of all
 that is in DATA_FOLDER are drawn, and the tables put into the sections of the
 page; without --page they are printed. What cannot be drawn is said.

@@ -68,10 +68,11 @@ def merged(folder, waker, work):
 
 def take(folder, data, waker=None):
     """The columns of a campaign as a table in the data folder. A table that is
-    there is extended by a campaign of the same hash; or of another one (a later
-    program has more parameters) if a realisation that slid is in both, and all
-    that are in both are equal: slides are chaotic, and any difference shows. Else
-    the campaign takes its place. Returns what was done."""
+    there is extended by a campaign of the same hash if all realisations that are
+    in both are equal, and else stays; or by another one (a later program has more
+    parameters) if a realisation that slid is in both, too: slides are chaotic, and
+    any difference shows. Else that campaign takes its place. Returns what was
+    done."""
     name = os.path.basename(os.path.normpath(folder))
     name = name.replace("output-chapter6-", "")
     path = os.path.join(data, name + ".csv")
@@ -97,6 +98,10 @@ def take(folder, data, waker=None):
         old = Set(path)
         n_common, n_differ, any_slid = compare(old.all_rows, rows)
         known = campaign["hash"] in old.hashes
+        if known and n_differ:
+            return (f"{path}: left as it is; {n_differ} of {n_common} realisations "
+                    f"differ in {folder}, which has the same hash: remove the "
+                    "table to take them")
         if known or (old.seed == str(campaign["seed"])
                      and any_slid and n_differ == 0):
             said += (f": extended; {n_common} realisations are in both, "
@@ -231,6 +236,13 @@ class Set:
         sunk = self["initial_height"] - self["residual_height"] > HEIGHT_LOSS
         flooded = np.array([r["outcome"] == "flooding" for r in self.rows])
         return (self["n_masses"] >= 1) | sunk | flooded
+
+    @property
+    def mask_outcome(self):
+        """Has failed initially by its outcome: a body has moved that is larger
+        than a share of the profile, which crumbs are not."""
+        return np.array([r["outcome"] in ("initial failure", "flooding")
+                         for r in self.rows])
 
     @property
     def mask_undecided(self):

@@ -15,7 +15,7 @@ CAPTIONS = (
      "last two are held for the first time within 0.1 s of the start. Dotted: "
      "the limits."),
     (("figure_6_03",), "6.3", "Mean strength with depth, a standard deviation "
-     "beside it. With k = 6 kPa/m a quarter of the cells at the crest would "
+     "beside it. With k = 6 kPa/m a fifth of the top layer of cells would "
      "be negative, and are cut off."),
     (("figure_6_12",), "6.12", "Ultimate load, base case."),
     (("figure_6_13",), "6.13", "Retrogression distance, base case."),
@@ -76,7 +76,8 @@ PICTURES = (
      lambda s: ~slides(s), lambda s: -s["first_mass_width"]),
     ("6.10", "1", "under the load, most masses at the sides",
      lambda s: ~slides(s) & (side(s) > 0), side),
-    ("6.11", "1", "masses behind, none at the sides, largest retrogression",
+    ("6.11", "1", "under the load, masses behind, none at the sides, largest "
+     "retrogression",
      lambda s: ~slides(s) & (side(s) == 0) & (behind(s) > 0),
      lambda s: s["retrogression_distance"]),
     ("6.18", "3a", "most masses", lambda s: s["n_masses"] > 0,

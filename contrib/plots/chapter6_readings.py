@@ -70,7 +70,12 @@ def slides(analysis):
     """The screen under own weight alone."""
     def get(sets, plane):
         s = sets.screen(analysis, plane)
-        return None if s is None else ratio(s.mask_fails)
+        if s is None:
+            return None
+        failed = s.mask_outcome & s.mask_fails
+        return ratio(s.mask_fails) + (
+            "" if np.array_equal(failed, s.mask_fails) else
+            f"; the outcome of {int(failed.sum())} is *initial failure*")
     return both(get)
 
 

@@ -4,7 +4,7 @@
 import numpy as np
 from chapter6_data import FIRST_CLASS, NAMES, paired
 from chapter6_thesis import ROWS
-from estimates import mean_of_few, proportion
+from estimates import mean_of_few, proportion, sign_test
 
 PENDING = "*not run yet*"
 ANALYSES = tuple(NAMES)
@@ -92,6 +92,13 @@ def inherent(sets):
                 lines.append(
                     f"- The limit {limit:g} m says the same as the screen of "
                     f"{int(np.sum((load < limit) == fails))} of {len(i)}.")
+            failed = screen.mask_outcome[i]
+            if np.any(failed != fails):
+                lines.append(
+                    f"- The outcome is *initial failure* of "
+                    f"{int(np.sum(failed & fails))} of the {int(fails.sum())} "
+                    f"that slide, and of {int(np.sum(failed & open_))} of the "
+                    f"{int(open_.sum())} that move and have not slid.")
     return "\n".join(lines) if lines else PENDING
 
 
@@ -217,7 +224,28 @@ def length(sets):
                      f"{np.nanmean(s['wall_time']):.3g} |")
     if not any(found):
         lines += ["", "With smooth ends: " + PENDING + "."]
-    return "\n".join(lines)
+    return "\n".join(lines + length_pairs(
+        (sets.get("length8"), "smooth ends"), (sets.screen("1"), "held ends"),
+        (plane, "plane strain")))
+
+
+def length_pairs(*sets):
+    """What slides in one of two sets alone, of L = 8 m; the same fields."""
+    lines = ["", "| L = 8 m, pairs | first | second | first alone | second alone "
+             "| p |", "|---|---|---|---|---|---|"]
+    n_rows = len(lines)
+    for k, (one, label) in enumerate(sets):
+        for other, other_label in sets[k + 1:]:
+            i, j = paired(one, other)
+            if not len(i):
+                continue
+            x, y = one.mask_fails[i], other.mask_fails[j]
+            alone = int(np.sum(x & ~y)), int(np.sum(y & ~x))
+            lines.append(
+                f"| {label}, {other_label} | {int(x.sum())} of {len(i)} | "
+                f"{int(y.sum())} | {alone[0]} | {alone[1]} | "
+                f"{sign_test(*alone):.2g} |")
+    return lines if len(lines) > n_rows else []
 
 
 def tables(sets):

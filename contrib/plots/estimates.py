@@ -68,6 +68,14 @@ def proportion(count, n):
     return (count / n,) + clopper_pearson(count, n)
 
 
+def sign_test(one, other):
+    """p, two-sided and exact, of McNemar's test: of the pairs that differ, `one`
+    have it in the first alone, `other` in the second."""
+    n = one + other
+    tail = sum(math.comb(n, k) for k in range(min(one, other) + 1)) / 2**n
+    return min(1.0, 2.0 * tail)
+
+
 def kind(estimate):
     """What an estimate says by itself, in the words of the report: none of n is
     an upper bound, all of n a lower one."""

@@ -12,6 +12,7 @@ from dyke_runs import workspace, write_csv
 
 LOAD = "Load programmes/foundation/"
 CASE = "chapter6/foundation_2d.prm"
+DRAWDOWN = "chapter6/drawdown_2d.prm"
 # The same load as a traction on the strip, instead of points that get heavier.
 STRIP = {"Tractions/Names": "strip", "Tractions/strip/Kind": "vector",
          "Tractions/strip/Value": "0; -20", "Tractions/strip/From": "1.5, 0.9",
@@ -63,7 +64,25 @@ def draw(axes, run, time):
     axes.grid(False)
 
 
+def drawdown(work):
+    """Water that falls: each step until it has been stopped, and half a second."""
+    run = work.run("drawdown", DRAWDOWN, {"Output/Interval": 0})
+    rows, load = run.statistics, run["loads"][0]
+    shown = rows["Time (s)"] <= load["stop_time"] + 0.5
+    columns = {"time_s": "Time (s)", "load_m": "Load drawdown (m)",
+               "held": "Load drawdown held", "stopped": "Load drawdown stopped",
+               "settlement_m": "Largest settlement (m)",
+               "settlement_rate_m_per_s": "Largest settlement rate (m/s)"}
+    write_csv("load_programmes_drawdown",
+              {key: rows[name][shown] for key, name in columns.items()})
+    first = rows["Time (s)"][np.argmax(rows["Load drawdown held"] > 0)]
+    print(f"  drawdown {load['factor']:.3f} m, waits from {first:.2f} s on, "
+          f"stopped at {load['stop_time']:.2f} s; leaves the crest at x = "
+          f"{run['outer_slide']['crest_cut']:.2f} m")
+
+
 with workspace(__doc__) as work:
+    drawdown(work)
     table = {key: [] for key in ("variant", "load_m", "stop_time_s", "held_s",
                                  "crest_cut_m", "share")}
     for name, changes in VARIANTS.items():

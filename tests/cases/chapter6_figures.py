@@ -81,7 +81,7 @@ def check_readings(checks, source):
     """What is read of a history of the load, and of a table."""
     sys.path.insert(0, os.path.join(source, "contrib", "plots"))
     from chapter6_programmes import example_of, read_trend
-    from estimates import mean_of_few
+    from estimates import mean_of_few, sign_test
 
     def example(*above, load):
         """`above`: for each step whether something sinks too fast."""
@@ -103,6 +103,9 @@ def check_readings(checks, source):
     # t of 7 degrees of freedom: 2.365 (tables); mean 4.5, deviation 2.449
     low, high = mean_of_few(np.arange(1, 9))[1:]
     checks.between("Student's interval of 1 to 8", high - low, 4.094, 4.097)
+    # 2 / 2^9; 2 (1 + 5 + 10) / 2^5 is 1; 2 (1 + 4) / 2^4; nothing differs
+    checks.equal("pairs: p", [sign_test(*pair) for pair in (
+        (9, 0), (3, 2), (1, 3), (0, 0))], [2**-8, 1.0, 0.625, 1.0])
 
 
 def check_extension(checks, path, plane):
@@ -118,6 +121,13 @@ def check_extension(checks, path, plane):
     checks.equal("fewer of the same campaign take nothing away", (
         said.endswith("3 realisations are in both, 0 of them differ"),
         len(table), table.hashes), (True, 40, ["a"]))
+    with open(path("data/analysis1-2d.csv"), encoding="utf-8") as file:
+        before = file.read()
+    said, table = later([plane[0], row(1, 0.05), row(41, 0.2)], "a")
+    with open(path("data/analysis1-2d.csv"), encoding="utf-8") as file:
+        checks.equal("others of the same campaign are refused", (
+            "left as it is; 1 of 2 realisations differ" in said,
+            file.read() == before), (True, True))
     at_rest = row(39, 0.5, outcome="stable", masses=0)
     said, table = later([at_rest, row(41, 0.2), row(42, 0.3)], "other")
     checks.equal("one that stood, in both, does not show that they are the same", (
@@ -153,10 +163,11 @@ def main():
                  for i, load in enumerate(loads)]
         campaign(path("output-chapter6-analysis1-2d"),
                  plane + [row(40, None, "numerical failure")])
-        # Own weight: 0 to 9 slide, 10 moves, the others rest.
+        # Own weight: 0 to 9 slide, the last of them in crumbs that the outcome
+        # does not know; 10 moves, the others rest.
         campaign(path("weight1-2d"), [
             row(i, masses=2 if i < 10 else 0, outcome="initial failure"
-                if i < 10 else "still moving" if i == 10 else "stable")
+                if i < 9 else "still moving" if i < 11 else "stable")
             for i in range(40)])
         campaign(path("analysis1"), [
             row(0, 0.02, width=4.0, masses=4, side=1, centred=2),
@@ -218,11 +229,14 @@ def main():
             "fig. 6.12 | 3D 0.104, 2D 0.201 | 0.333 [0.0084, 0.906], 1 of 3 | "
             "0.3 [0.166, 0.465], 12 of 40 |")
         has(checks, "screen", page,
-            "*not run yet* | 0.25 [0.127, 0.412], 10 of 40 |")
+            "*not run yet* | 0.25 [0.127, 0.412], 10 of 40; the outcome of 9 is "
+            "*initial failure* |")
         has(checks, "half the volume", page, "0.25 [0.127, 0.412], 10 of 40 |")
         for line in ("| slides | 8 | 2 | 0 | 10 |",
                      "| moves at the end, has not slid | 0 | 1 | 0 | 1 |",
                      "| at rest | 0 | 1 | 28 | 29 |",
+                     "- The outcome is *initial failure* of 9 of the 10 that "
+                     "slide, and of 0 of the 1 that move and have not slid.",
                      "0.05 m says the same as the screen of 38 of 40.",
                      "0.1 m says the same as the screen of 38 of 40."):
             has(checks, f"screen and load: {line[:40]}", page, line)
