@@ -164,7 +164,7 @@ namespace Waker
                   const std::uint64_t    seed,
                   const double           checkpoint_interval,
                   const std::string     &folder,
-                  const std::string     &hash,
+                  const CampaignInfo    &info,
                   const MPI_Comm         communicator,
                   const CampaignWriter  &campaign_writer,
                   FolderWatch           &watch,
@@ -204,14 +204,14 @@ namespace Waker
           FolderKeeper          keeper(folder,
                               task.scenario,
                               task.realisation,
-                              hash,
+                              info.hash,
                               checkpoint_interval,
                               [&](const double time) {
                                 if (log.progress_due())
                                   log.progress(
                                     (progress.n_done() + time / end_time) /
                                       progress.n_wanted(),
-                                    progress_text(progress, runners.size()) +
+                                    progress_text(progress, info) +
                                       running_text(task.realisation, time));
                               });
           std::optional<Record> record = runners[task.scenario]->run(
@@ -220,7 +220,7 @@ namespace Waker
             return false;
           record->scenario = task.scenario;
           if (!writer)
-            writer.emplace(folder, hash);
+            writer.emplace(folder, info.hash);
           writer->append(*record);
           keeper.remove();
           progress.add(*record);
@@ -232,7 +232,7 @@ namespace Waker
             {
               watch.poll();
               log.progress(double(progress.n_done()) / progress.n_wanted(),
-                           progress_text(progress, runners.size()));
+                           progress_text(progress, info));
             }
         }
     }
@@ -316,7 +316,7 @@ namespace Waker
       parameters.seed,
       parameters.checkpoint_interval,
       folder,
-      info.hash,
+      info,
       communicator,
       *campaign_writer,
       watch,
@@ -337,7 +337,7 @@ namespace Waker
     log.end_progress();
     if (work.n > 0)
       log.line(work_text(work, n_ranks));
-    log.line(progress_text(progress, scenarios.size()));
+    log.line(progress_text(progress, info));
     if (interrupted)
       {
         log.line("Interrupted; go on with --resume.");

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/campaign/campaign_text.h>
 #include <waker/statistics/intervals.h>
+#include <waker/store/campaign_info.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -37,9 +39,10 @@ namespace Waker
 
 
   std::string
-  progress_text(const Progress &progress, const unsigned int n_scenarios)
+  progress_text(const Progress &progress, const CampaignInfo &info)
   {
-    Counts sum;
+    const unsigned int n_scenarios = info.scenarios.size();
+    Counts             sum;
     for (unsigned int s = 0; s < n_scenarios; ++s)
       {
         const Counts &counts = progress.counts(s);
@@ -51,22 +54,31 @@ namespace Waker
       }
     std::string text = std::to_string(sum.n) + " of at most " +
                        std::to_string(progress.n_wanted()) + ", S1 " +
-                       std::to_string(sum.n_initial) + ", flooded " +
-                       std::to_string(sum.n_flooding);
+                       std::to_string(sum.n_initial);
+    const bool may_flood =
+      std::any_of(info.scenarios.begin(),
+                  info.scenarios.end(),
+                  [](const ScenarioInfo &s) { return s.may_flood(); });
+    if (may_flood)
+      text += ", flooded " + std::to_string(sum.n_flooding);
     if (sum.n_failures > 0)
       text += ", numerical failures " + std::to_string(sum.n_failures);
     if (sum.n_undecided > 0)
       text += ", undecided " + std::to_string(sum.n_undecided);
     if (n_scenarios == 1 && sum.n_decided() > 0)
       {
-        const Proportion p = proportion(sum.n_flooding, sum.n_decided());
-        char             numbers[80];
+        const char *const event = may_flood ? "P(F)" : "P(S1)";
+        const Proportion  p =
+          proportion(may_flood ? sum.n_flooding : sum.n_initial,
+                     sum.n_decided());
+        char numbers[80];
         if (p.count == 0)
-          std::snprintf(numbers, sizeof numbers, ", P(F) <= %.3g", p.high);
+          std::snprintf(numbers, sizeof numbers, ", %s <= %.3g", event, p.high);
         else
           std::snprintf(numbers,
                         sizeof numbers,
-                        ", P(F) = %.3g [%.3g, %.3g]",
+                        ", %s = %.3g [%.3g, %.3g]",
+                        event,
                         p.estimate,
                         p.low,
                         p.high);

@@ -52,14 +52,17 @@ namespace Waker
 
 
   ScenarioEstimate
-  estimate(const std::vector<Record> &records)
+  estimate(const std::vector<Record> &records, const bool may_flood)
   {
     ScenarioEstimate result;
     const auto       with = [&](const FailureReading reading) {
       std::uint64_t n_initial = 0, n_flooding = 0, n_both = 0, n = 0;
       for (const Record &record : records)
-        if (counts(record) && (reading != FailureReading::by_displacement ||
-                               record.watches_slopes()))
+        if (counts(record) &&
+            (reading != FailureReading::by_displacement ||
+             record.watches_slopes()) &&
+            (reading != FailureReading::by_width ||
+             std::isfinite(record.initial_width)))
           {
             const bool fails = record.time_of(reading) >= 0.;
             ++n;
@@ -105,15 +108,23 @@ namespace Waker
     const std::uint64_t n_initial  = result.by_any.initial.count;
     const std::uint64_t n_flooding = result.by_any.flooding.count;
     const std::uint64_t n_both     = result.by_any.flooding_given.count;
-    const std::uint64_t may_flood  = result.n_not_final + lost;
+    const std::uint64_t n_open     = result.n_not_final + lost;
     result.if_all_failed           = make_estimate(n_initial + lost,
-                                         n_flooding + may_flood,
-                                         n_both + may_flood,
+                                         n_flooding + n_open,
+                                         n_both + n_open,
                                          all);
     result.if_none_failed = make_estimate(n_initial + n_initial_then_lost,
                                           n_flooding + n_flooding_then_lost,
                                           n_both + n_both_then_lost,
                                           all);
+    if (!may_flood)
+      for (Estimate *const e : {&result.by_any,
+                                &result.by_geometry,
+                                &result.by_width,
+                                &result.by_displacement,
+                                &result.if_all_failed,
+                                &result.if_none_failed})
+        e->flooding = e->flooding_given = proportion(0, 0);
     return result;
   }
 

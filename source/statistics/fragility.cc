@@ -161,9 +161,10 @@ namespace Waker
     for (std::size_t s = 0; s < info.scenarios.size(); ++s)
       {
         const ScenarioInfo    &scenario = info.scenarios[s];
-        const ScenarioEstimate e        = estimate(records_by_scenario[s]);
+        const ScenarioEstimate e =
+          estimate(records_by_scenario[s], scenario.may_flood());
         // without water there is no level
-        if (e.n + e.n_lost() > 0 && std::isfinite(scenario.water_level))
+        if (e.n + e.n_lost() > 0 && scenario.may_flood())
           points.push_back({scenario.water_level,
                             scenario.crest_level - scenario.water_level,
                             e.by_any.initial,

@@ -4,6 +4,7 @@
 #include <waker/output/files.h>
 #include <waker/statistics/estimates.h>
 #include <waker/statistics/histograms.h>
+#include <waker/statistics/quantities.h>
 #include <waker/statistics/report.h>
 #include <waker/statistics/report_tables.h>
 #include <waker/store/campaign_files.h>
@@ -153,7 +154,7 @@ namespace Waker
         undecided_notes(info, records_by_scenario);
       for (const AnalysedScenario &scenario : scenarios)
         {
-          const ScenarioEstimate e = estimate(*scenario.records);
+          const ScenarioEstimate e = scenario.estimate();
           const std::uint64_t    n = e.n + e.n_numerical + e.n_undecided();
           if (e.n_numerical > tolerable_failures * n)
             notes.push_back(
@@ -203,6 +204,7 @@ namespace Waker
     write("residual_resistance_width.csv",
           residual_resistance_width(scenarios, bins));
     write("classes.csv", classes(scenarios));
+    write("quantities.csv", ReportTables::quantities(scenarios));
     write("event_tree.csv", event_tree(scenarios));
     write("fragility.csv", fragility(points));
     write("fragility_curve.csv", fragility_curve(points));
@@ -233,7 +235,7 @@ namespace Waker
     std::string text = "Probabilities with 95 % intervals (Clopper-Pearson):";
     for (const AnalysedScenario &scenario : scenarios)
       {
-        const ScenarioEstimate e = estimate(*scenario.records);
+        const ScenarioEstimate e = scenario.estimate();
         if (!info.swept_parameter.empty())
           text += "\n" + info.swept_parameter + " = " + scenario.info->value;
         const std::uint64_t lost = e.n_lost();
@@ -256,7 +258,7 @@ namespace Waker
             text += line("  outer", e.outer_slides);
           }
         // Without a level nothing can flood.
-        const bool may_flood = std::isfinite(scenario.info->water_level);
+        const bool may_flood = scenario.info->may_flood();
         if (may_flood)
           {
             text += line("P(F)", e.by_any.flooding);
@@ -294,6 +296,15 @@ namespace Waker
           }
         if (!may_flood)
           text += "\n  no water level: nothing can flood";
+        for (const Quantity &q : quantities(*scenario.records))
+          text +=
+            "\n  " + q.name + ": mean " + number(q.mean()) +
+            (q.values.size() > 1
+               ? ", deviation " + number(q.standard_deviation()) + ", from " +
+                   number(q.quantile(0.)) + " to " + number(q.quantile(1.))
+               : "") +
+            (q.unit.empty() ? "" : " " + q.unit) + ", of " +
+            std::to_string(q.values.size());
         if (!distribution && may_flood)
           text +=
             risk_text(assess_risk(flooding_of(scenario), parameters.risk));

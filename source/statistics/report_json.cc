@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/statistics/estimates.h>
+#include <waker/statistics/quantities.h>
 #include <waker/statistics/report_tables.h>
 
 #include <nlohmann/json.hpp>
@@ -61,10 +62,10 @@ namespace Waker
 
 
     Json
-    to_json(const EventTree &tree)
+    to_json(const EventTree &tree, const bool may_flood)
     {
       // Of nothing the sums are 0, which is no estimate.
-      const bool known = tree.direct.n > 0;
+      const bool known = may_flood && tree.direct.n > 0;
       return {{"probability", known ? Json(tree.probability) : Json(nullptr)},
               {"direct", to_json(tree.direct)},
               {"length", tree.length},
@@ -78,7 +79,7 @@ namespace Waker
     Json
     scenario_json(const AnalysedScenario &scenario)
     {
-      const ScenarioEstimate e = estimate(*scenario.records);
+      const ScenarioEstimate e = scenario.estimate();
       Json                   json;
       json["value"]               = scenario.info->value;
       json["water_level"]         = scenario.info->water_level;
@@ -99,7 +100,19 @@ namespace Waker
       json["outer_slides"]        = to_json(e.outer_slides);
       json["if_all_failed"]       = to_json(e.if_all_failed);
       json["if_none_failed"]      = to_json(e.if_none_failed);
-      json["event_tree"]          = to_json(scenario.tree);
+      json["event_tree"] = to_json(scenario.tree, scenario.info->may_flood());
+      json["quantities"] = Json::object();
+      for (const Quantity &q : quantities(*scenario.records))
+        json["quantities"][q.name] = {{"unit", q.unit},
+                                      {"n", q.values.size()},
+                                      {"mean", q.mean()},
+                                      {"standard_deviation",
+                                       q.standard_deviation()},
+                                      {"least", q.quantile(0.)},
+                                      {"p05", q.quantile(0.05)},
+                                      {"median", q.quantile(0.5)},
+                                      {"p95", q.quantile(0.95)},
+                                      {"largest", q.quantile(1.)}};
       return json;
     }
 

@@ -4,6 +4,7 @@
 #include <waker/statistics/csv_table.h>
 #include <waker/statistics/estimates.h>
 #include <waker/statistics/histograms.h>
+#include <waker/statistics/quantities.h>
 #include <waker/statistics/report_tables.h>
 
 #include <algorithm>
@@ -63,7 +64,7 @@ namespace Waker
   BoundedProbability
   flooding_of(const AnalysedScenario &scenario)
   {
-    return estimate(*scenario.records).flooding();
+    return scenario.estimate().flooding();
   }
 
 
@@ -110,7 +111,7 @@ namespace Waker
         ",cov_S1,cov_F");
       for (std::size_t s = 0; s < scenarios.size(); ++s)
         {
-          const ScenarioEstimate e = estimate(*scenarios[s].records);
+          const ScenarioEstimate e = scenarios[s].estimate();
           const Proportion      &f = e.by_any.flooding;
           scenario_row(table, scenarios, s).cell(e.n).cell(e.n_numerical);
           table.cell(e.n_still_moving).cell(e.n_loads_change);
@@ -246,6 +247,24 @@ namespace Waker
             .cell(c.flooded ? 1 : 0)
             .cell(c.share.count)
             .cells(c.share);
+      return table.finish();
+    }
+
+
+    std::string
+    quantities(const Scenarios &scenarios)
+    {
+      CsvTable table("scenario,value,quantity,unit,n,mean,standard_deviation,"
+                     "least,p05,median,p95,largest");
+      for (std::size_t s = 0; s < scenarios.size(); ++s)
+        for (const Quantity &q : Waker::quantities(*scenarios[s].records))
+          {
+            scenario_row(table, scenarios, s).cell(q.name).cell(q.unit);
+            table.cell(std::uint64_t(q.values.size()));
+            table.cell(q.mean()).cell(q.standard_deviation());
+            for (const double p : {0., 0.05, 0.5, 0.95, 1.})
+              table.cell(q.quantile(p));
+          }
       return table.finish();
     }
 

@@ -51,7 +51,7 @@ namespace Waker
       return table.finish();
     for (std::size_t s = 0; s < scenarios.size(); ++s)
       {
-        const ScenarioEstimate   e        = estimate(*scenarios[s].records);
+        const ScenarioEstimate   e        = scenarios[s].estimate();
         const BoundedProbability flooding = e.flooding();
         table.row().cell(std::string("given the level")).cell(s);
         table.cell(scenarios[s].info->value);

@@ -29,9 +29,9 @@ namespace Waker
   campaign_text(const CampaignInfo &info, const int n_ranks);
 
   /// "84 of at most 200, S1 12, flooded 9, P(F) = 0.107 [0.0502, 0.194]"; the
-  /// probability only of a single scenario.
+  /// probability only of a single scenario, without water that of S1.
   std::string
-  progress_text(const Progress &progress, const unsigned int n_scenarios);
+  progress_text(const Progress &progress, const CampaignInfo &info);
 
   /// "; no. 17 at t = 3.2 s"
   std::string

@@ -117,8 +117,9 @@ namespace Waker
   }
 
   /// @param records of one scenario, each realisation once; may be empty
+  /// @param may_flood is there water? Else nothing is known of flooding.
   ScenarioEstimate
-  estimate(const std::vector<Record> &records);
+  estimate(const std::vector<Record> &records, const bool may_flood = true);
 
   /**
    * P(S1, t_S1 <= t), P(F, t_F <= t) and their ratio (5.1), (5.2): at 0, at

@@ -3,6 +3,7 @@
 #define waker_statistics_report_tables_h
 
 #include <waker/statistics/analysis_parameters.h>
+#include <waker/statistics/estimates.h>
 #include <waker/statistics/event_tree.h>
 #include <waker/statistics/fragility.h>
 #include <waker/statistics/slides.h>
@@ -24,6 +25,12 @@ namespace Waker
     const std::vector<Record>      *records;
     std::vector<std::vector<Slide>> slides; // of each record
     EventTree                       tree;
+
+    ScenarioEstimate
+    estimate() const
+    {
+      return Waker::estimate(*records, info->may_flood());
+    }
   };
 
   /// P(F) of a scenario, given its water level; ScenarioEstimate::flooding().
@@ -71,6 +78,11 @@ namespace Waker
 
     std::string
     classes(const Scenarios &scenarios);
+
+    /// See quantities(): number, mean, deviation, least, 5 %, median, 95 %,
+    /// largest.
+    std::string
+    quantities(const Scenarios &scenarios);
 
     std::string
     event_tree(const Scenarios &scenarios);

@@ -4,6 +4,7 @@
 
 #include <waker/base/numbers.h>
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -21,6 +22,13 @@ namespace Waker
     double              base_level  = nan;
     std::vector<double> scales; // of fluctuation of the first field, m
     std::string         hash;   // of all that decides its realisations
+
+    /// Without water nothing floods.
+    bool
+    may_flood() const
+    {
+      return std::isfinite(water_level);
+    }
   };
 
   /**
