@@ -70,6 +70,8 @@ namespace Waker
   void
   UndrainedStrengthParameters::check(const std::string &path) const
   {
+    if (!tidy(table).empty())
+      entries(path); // wherever the strength comes from
     switch (from)
       {
         case StrengthFrom::place:

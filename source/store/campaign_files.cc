@@ -32,6 +32,7 @@ namespace Waker
       "convergence.csv",
       "histograms.csv",
       "residual_resistance_width.csv",
+      "quantities.csv",
       "classes.csv",
       "event_tree.csv",
       "fragility.csv",

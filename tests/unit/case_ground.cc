@@ -8,6 +8,7 @@
 #include <waker/simulation/plausibility.h>
 
 #include "user_errors.h"
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -19,7 +20,7 @@ namespace case_ground
 
   namespace
   {
-    constexpr double gamma_w = 9.81;
+    constexpr double gamma_w = 10.; // the default
 
     /// Level ground: 2 m of clay on 2 m of peat; the water at 3 m.
     std::unique_ptr<Parameters>
@@ -99,10 +100,20 @@ end
       "Materials/peat/POP=15"};
 
 
+    /// SHANSEP, but for what is said otherwise.
     std::vector<std::string>
     with(std::vector<std::string> more)
     {
-      more.insert(more.begin(), shansep.begin(), shansep.end());
+      for (const std::string &usual : shansep)
+        {
+          const std::string name = usual.substr(0, usual.find('=') + 1);
+          if (std::none_of(more.begin(),
+                           more.end(),
+                           [&](const std::string &setting) {
+                             return setting.rfind(name, 0) == 0;
+                           }))
+            more.push_back(usual);
+        }
       return more;
     }
   } // namespace
@@ -209,27 +220,34 @@ end
                   expected,
                   1e-13);
     const Case<2> level(*ground({"Materials/clay/Strength from=table",
-                                 "Materials/clay/Strength table=0: 4, 60: 34"}),
+                                 "Materials/clay/Strength table=0: 4, 60: 34",
+                                 "Materials/clay/Residual strength=1"}),
                         MPI_COMM_SELF);
     const MaterialPoints<2> &points = level.initial_points;
     const auto              &values =
       points.scalars[points.find_scalar("undrained shear strength")].values;
     for (std::size_t p = 0; p < points.n_points(); ++p)
-      if (const double y = points.initial_position[p][1]; y > 2.)
-        EXPECT_NEAR(values[p], 4. + 0.5 * stress(y, 3.), 1e-12);
+      {
+        const double y = points.initial_position[p][1];
+        if (y > 2.)
+          {
+            EXPECT_NEAR(values[p], 4. + 0.5 * stress(y, 3.), 1e-12);
+          }
+      }
   }
 
 
   TEST(Ground, what_cannot_be_is_refused)
   {
-    const std::string peat = "Materials/peat/";
-    EXPECT_USER_ERROR(ground(with({peat + "POP=-1"})), peat + "POP", "-1");
+    const std::string peat = "Materials/peat/", set = "--set ";
+    EXPECT_USER_ERROR(ground(with({peat + "POP=-1"})),
+                      set + peat + "POP",
+                      "-1");
     EXPECT_USER_ERROR(ground(with({peat + "Strength ratio=0"})),
-                      peat + "Strength ratio",
+                      set + peat + "Strength ratio",
                       "0");
     for (const auto &[table, problem] :
          std::vector<std::pair<std::string, std::string>>{
-           {"", "0 pairs"},
            {"5: 3", "1 pair"},
            {"5: 3, 5: 4", "5 kPa after 5 kPa"},
            {"5: 3, 6", "\"6\", not two numbers"},
@@ -237,7 +255,7 @@ end
            {"0: 3, inf: 4", "\"inf: 4\""}})
       EXPECT_USER_ERROR(ground({peat + "Strength from=table",
                                 peat + "Strength table=" + table}),
-                        peat + "Strength table",
+                        set + peat + "Strength table",
                         problem);
     // A yield stress below the stress of now: the water stood higher than
     // today.
@@ -259,11 +277,11 @@ end
                       peat + "Strength from",
                       "nan");
     EXPECT_USER_ERROR(ground({"Pore water/Daily phreatic line=0,3; 1,3"}),
-                      "Pore water/Daily phreatic line",
+                      set + "Pore water/Daily phreatic line",
                       "to 1 m");
     EXPECT_USER_ERROR(ground({"Pore water/Phreatic line=",
                               "Pore water/Daily phreatic line=0,3; 2,3"}),
-                      "Pore water/Daily phreatic line",
+                      set + "Pore water/Daily phreatic line",
                       "Phreatic line is empty");
     EXPECT_USER_ERROR(Case<2>(*ground(with({"Pore water/Phreatic line=",
                                             "Water/Side=left",
