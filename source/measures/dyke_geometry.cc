@@ -134,11 +134,10 @@ namespace Waker
     const double        h = grid.cell_size();
     const auto          n =
       std::lround((grid.upper_corner()[2] - grid.lower_corner()[2]) / h);
-    const double near = 1e-6 * h; // of an end: no section
-    for (long int k = 0; k <= 2 * n; ++k)
+    for (long int k = 0; k < n; ++k)
       {
-        const double z = grid.lower_corner()[2] + 0.5 * k * h;
-        if (z > first + near && z < last - near)
+        const double z = grid.lower_corner()[2] + (k + 0.5) * h;
+        if (z > first && z < last)
           sections.push_back(z);
       }
     return sections;

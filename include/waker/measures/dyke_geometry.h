@@ -46,9 +46,8 @@ namespace Waker
   measure_dyke(const Facets<2> &section, const double level);
 
   /**
-   * A dyke in space is measured in sections across it, half a cell apart: in the
-   * middle of the cells and between them, where there was soil at t = 0 (z, m,
-   * ascending).
+   * A dyke in space is measured in sections across it: the z in the middle of
+   * each layer of cells in which there was soil at t = 0 (m, ascending).
    */
   std::vector<double>
   dyke_sections(const BackgroundGrid<3> &grid, const MaterialPoints<3> &points);
