@@ -2,6 +2,8 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <waker/base/errors.h>
+#include <waker/base/expression_pattern.h>
+#include <waker/base/numbers.h>
 #include <waker/base/read_file.h>
 #include <waker/campaign/input.h>
 #include <waker/case/cross_section.h>
@@ -40,7 +42,17 @@ namespace Waker
     // A file and a line do not say which parameter is meant.
     if (known.count(error.where) != 0 && where(error.where) != error.where)
       what = error.where + ": " + what;
-    return UserError(where(error.where), what, error.allowed);
+    std::string place = where(error.where);
+    // Of a section it may be what the command line sets.
+    if (known.count(error.where) == 0)
+      for (auto line = lines.lower_bound(error.where + "/");
+           line != lines.end() &&
+           line->first.compare(0, error.where.size() + 1, error.where + "/") ==
+             0;
+           ++line)
+        if (line->second == "--set " + line->first)
+          place += ", with " + line->second;
+    return UserError(place, what, error.allowed);
   }
 
 
@@ -193,6 +205,52 @@ namespace Waker
 
   namespace
   {
+    /// A section that the command line asks for, of a file that names a folder
+    /// for its case, gets a folder beside it: --overwrite would remove the
+    /// results in space.
+    void
+    name_folder_of_section(PrmContents &contents)
+    {
+      const std::string section = "Cross-section", folder = "Output/Directory";
+      std::string       end;
+      PrmEntry          directory{"Output",
+                         "Directory",
+                         OutputParameters().directory,
+                         ""};
+      PrmEntry         *given = nullptr;
+      for (PrmEntry &entry : contents.entries)
+        {
+          const bool is_here = entry.where == "--set " + entry.path();
+          if (is_here && entry.path() == section)
+            {
+              // In the digits of a number: 4.50 is 4.5.
+              if (const auto z = plain_number(entry.value))
+                end = "-section-" + in_digits(*z);
+            }
+          else if (is_here && entry.path() == "Sweep/Parameter" &&
+                   tidy(entry.value) == section)
+            end = "-sections";
+          else if (entry.path() == folder)
+            given = &entry;
+        }
+      if (given != nullptr)
+        directory = *given;
+      if (end.empty() || directory.where == "--set " + folder)
+        return;
+      std::string &name = directory.value;
+      while (name.size() > 1 && name.back() == '/')
+        name.pop_back();
+      if (name.empty())
+        return;
+      name += end;
+      if (given != nullptr)
+        *given = directory;
+      else
+        contents.entries.push_back(
+          {directory.section, directory.name, name, "--set " + section});
+    }
+
+
     bool
     has_sweep(const PrmContents &contents)
     {
@@ -275,7 +333,8 @@ namespace Waker
   {
     ParameterLocations  own_locations;
     ParameterLocations &map = locations != nullptr ? *locations : own_locations;
-    const PrmContents   contents = read_contents(source, overrides, map);
+    PrmContents         contents = read_contents(source, overrides, map);
+    name_folder_of_section(contents);
 
     std::vector<std::unique_ptr<Input>> scenarios;
     if (!has_sweep(contents))
@@ -337,7 +396,8 @@ namespace Waker
   {
     ParameterLocations  own_locations;
     ParameterLocations &map = locations != nullptr ? *locations : own_locations;
-    const PrmContents   contents = read_contents(source, overrides, map);
+    PrmContents         contents = read_contents(source, overrides, map);
+    name_folder_of_section(contents);
     return std::make_unique<Parameters>(
       std::move(make_input(contents, map, FileContents::count)->simulation));
   }
