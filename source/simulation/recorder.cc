@@ -169,6 +169,9 @@ namespace Waker
       std::make_unique<Statistics>(file_path(parameters.output.directory,
                                              OutputFile::statistics),
                                    state.step + 1);
+    if (!statistics->damage().empty())
+      resume_warning +=
+        (resume_warning.empty() ? "" : "; ") + statistics->damage();
   }
 
 
@@ -259,7 +262,9 @@ namespace Waker
     summary.newton_iterations = state.newton_iterations;
     summary.linear_iterations = state.linear_iterations;
     summary.unconverged_steps = state.unconverged_steps;
-    summary.particles         = state.points.n_points();
+    // A case that could not be made has no points, and nobody has counted them.
+    if (state.step > 0 || state.points.n_points() > 0)
+      summary.particles = state.points.n_points();
     for (const TractionRecord &traction : state.tractions)
       summary.vanished_tractions += traction.empty_time >= 0.;
     for (std::size_t i = 0; i < state.loads.size(); ++i)
