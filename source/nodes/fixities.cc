@@ -5,12 +5,10 @@
 #include <waker/base/expression.h>
 #include <waker/base/places.h>
 #include <waker/nodes/fixities.h>
-#include <waker/nodes/fixity_conflicts.h>
 
+#include "fixity_nodes.h"
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <set>
 #include <sstream>
 
 namespace Waker
@@ -27,111 +25,6 @@ namespace Waker
       std::array<bool, dim> component;
       std::array<int, dim>  expression; // number, or at_rest
     };
-
-
-    /// Direction and side of a face.
-    struct Face
-    {
-      unsigned int direction;
-      bool         upper;
-    };
-
-    Face
-    face_of(const FixityRegion region)
-    {
-      Assert(region != FixityRegion::box, ExcInternalError());
-      const unsigned int f = static_cast<unsigned int>(region);
-      return {f / 2, f % 2 == 1};
-    }
-
-
-    /// In which direction its limits have no node between them, and which are
-    /// the nearest.
-    template <int dim>
-    [[noreturn]] void
-    refuse_empty_region(const BackgroundGrid<dim> &grid,
-                        const FixityParameters    &fixity)
-    {
-      const bool         is_box = fixity.region == FixityRegion::box;
-      const double       h      = grid.cell_size();
-      std::ostringstream what, allowed;
-      for (unsigned int d = 0; d < dim; ++d)
-        {
-          if (!is_box && d == face_of(fixity.region).direction)
-            continue;
-          const double first = grid.lower_corner()[d] - grid.margin * h,
-                       last = first + (grid.n_nodes_per_direction()[d] - 1) * h;
-          const double from = fixity.from.empty() ? first : fixity.from[d],
-                       to   = fixity.to.empty() ? last : fixity.to[d];
-          // The lines on both sides of what lies between the limits.
-          const double below =
-            std::clamp(first + std::floor((from - first) / h) * h, first, last);
-          const double above =
-            std::clamp(first + std::ceil((to - first) / h) * h, first, last);
-          const double tolerance = 1e-6 * h;
-          if (from > to + tolerance || to < first - tolerance ||
-              from > last + tolerance || above - below < 1.5 * h)
-            {
-              const bool has_node =
-                (below >= from - tolerance && below <= to + tolerance) ||
-                (above >= from - tolerance && above <= to + tolerance);
-              if (has_node)
-                continue;
-              what << (what.str().empty() ? "" : ", and") << " along "
-                   << "xyz"[d] << " it reaches from "
-                   << (fixity.from.empty() ? "the end of the grid, " : "")
-                   << from << " m to "
-                   << (fixity.to.empty() ? "the end of the grid, " : "") << to
-                   << " m";
-              allowed << (allowed.str().empty() ? "" : ", and") << " at "
-                      << "xyz"[d] << " = " << below;
-              if (above > below + tolerance)
-                allowed << " and " << above;
-              allowed << " m";
-            }
-        }
-      throw UserError("Boundary conditions/" + fixity.name,
-                      "there is no node of the grid in its region:" +
-                        what.str(),
-                      "limits From and To with nodes between them; the nearest "
-                      "lines of the grid are" +
-                        allowed.str());
-    }
-
-
-    template <int dim>
-    std::vector<unsigned int>
-    nodes_of(const BackgroundGrid<dim> &grid, const FixityParameters &fixity)
-    {
-      const bool   is_box = fixity.region == FixityRegion::box;
-      const Face   face   = is_box ? Face{dim, false} : face_of(fixity.region);
-      const double tolerance = 1e-6 * grid.cell_size();
-
-      std::vector<unsigned int> nodes;
-      for (unsigned int n = 0; n < grid.n_nodes(); ++n)
-        {
-          const auto       index = grid.node_index(n);
-          const Point<dim> x     = grid.node_position(n);
-          bool             held  = true;
-          for (unsigned int d = 0; d < dim && held; ++d)
-            if (d == face.direction)
-              {
-                const int margin = grid.margin;
-                const int last   = grid.n_nodes_per_direction()[d] - 1;
-                held =
-                  face.upper ? index[d] >= last - margin : index[d] <= margin;
-              }
-            else
-              held =
-                (fixity.from.empty() || x[d] >= fixity.from[d] - tolerance) &&
-                (fixity.to.empty() || x[d] <= fixity.to[d] + tolerance);
-          if (held)
-            nodes.push_back(n);
-        }
-      if (nodes.empty())
-        refuse_empty_region(grid, fixity);
-      return nodes;
-    }
 
 
     /// Only increments are prescribed: a displacement at t = 0 would be lost.
@@ -388,121 +281,6 @@ namespace Waker
   }
 
 
-  namespace
-  {
-    /// Nodes that two conditions have in common.
-    template <int dim>
-    struct Common
-    {
-      std::set<unsigned int> nodes;
-
-      /// More than an edge: they reach further than the margin in all
-      /// directions but one, or they are much of one of the two conditions.
-      bool
-      is_more_than_an_edge(const BackgroundGrid<dim> &grid,
-                           const std::size_t          n_nodes) const
-      {
-        if (2 * nodes.size() > n_nodes)
-          return true;
-        unsigned int n_long = 0;
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            int low = grid.n_nodes_per_direction()[d], high = 0;
-            for (const unsigned int node : nodes)
-              {
-                const int i = grid.node_index(node)[d];
-                low         = std::min(low, i);
-                high        = std::max(high, i);
-              }
-            n_long += high - low > static_cast<int>(grid.margin);
-          }
-        return n_long + 1 >= dim;
-      }
-    };
-  } // namespace
-
-
-  template <int dim>
-  std::vector<std::string>
-  fixity_conflicts(const BackgroundGrid<dim>           &grid,
-                   const std::vector<FixityParameters> &parameters)
-  {
-    // Of a dof: the condition that counts so far, or none.
-    constexpr unsigned int    none = static_cast<unsigned int>(-1);
-    std::vector<unsigned int> holder(grid.n_dofs(), none);
-    const auto movement = [&](const unsigned int i, const unsigned int c) {
-      const FixityParameters &p = parameters[i];
-      if (p.type != FixityType::prescribed)
-        return std::string();
-      const std::string     text = *p.expressions()[c];
-      const Expression<dim> expression(text,
-                                       "Boundary conditions/" + p.name +
-                                         "/Displacement");
-      return expression.moves() ? text : std::string();
-    };
-    const auto eliminates = [&](const unsigned int i) {
-      return parameters[i].method == FixityMethod::elimination;
-    };
-
-    std::map<std::pair<unsigned int, unsigned int>, Common<dim>> conflicts;
-    std::vector<std::size_t> n_nodes(parameters.size());
-    for (unsigned int i = 0; i < parameters.size(); ++i)
-      {
-        const std::vector<unsigned int> nodes = nodes_of(grid, parameters[i]);
-        n_nodes[i]                            = nodes.size();
-        for (unsigned int c = 0; c < dim; ++c)
-          {
-            if (!parameters[i].holds(c))
-              continue;
-            std::vector<int> differs(parameters.size(), -1); // unknown
-            for (const unsigned int node : nodes)
-              {
-                unsigned int      &other = holder[dim * node + c];
-                const unsigned int was   = other;
-                const bool         wins =
-                  was == none || eliminates(i) || !eliminates(was);
-                if (wins)
-                  other = i;
-                if (was == none)
-                  continue;
-                if (differs[was] < 0)
-                  differs[was] = movement(i, c) != movement(was, c);
-                if (differs[was] == 1)
-                  conflicts[wins ? std::make_pair(was, i)
-                                 : std::make_pair(i, was)]
-                    .nodes.insert(node);
-              }
-          }
-      }
-
-    std::vector<std::string> texts;
-    for (const auto &[pair, common] : conflicts)
-      {
-        const auto &[loser, winner] = pair;
-        if (!common.is_more_than_an_edge(
-              grid, std::min(n_nodes[loser], n_nodes[winner])))
-          continue;
-        std::ostringstream text;
-        text << "Boundary conditions: " << parameters[winner].name
-             << " overrules " << parameters[loser].name << " on "
-             << common.nodes.size() << " nodes of both, where they want "
-             << "different movements ("
-             << (eliminates(winner) && !eliminates(loser)
-                   ? "elimination counts before penalty"
-                   : "the later one in Names counts")
-             << ")";
-        texts.push_back(text.str());
-      }
-    return texts;
-  }
-
-
-  template std::vector<std::string>
-  fixity_conflicts(const BackgroundGrid<2> &,
-                   const std::vector<FixityParameters> &);
-  template std::vector<std::string>
-  fixity_conflicts(const BackgroundGrid<3> &,
-                   const std::vector<FixityParameters> &);
   template class Fixities<2>;
   template class Fixities<3>;
 } // namespace Waker

@@ -2,8 +2,6 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <waker/base/errors.h>
-#include <waker/base/expression_pattern.h>
-#include <waker/base/numbers.h>
 #include <waker/base/read_file.h>
 #include <waker/campaign/input.h>
 #include <waker/case/cross_section.h>
@@ -15,6 +13,7 @@
 #include <waker/program/prm_scanner.h>
 #include <waker/program/suggestions.h>
 
+#include "section_folder.h"
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
@@ -205,52 +204,6 @@ namespace Waker
 
   namespace
   {
-    /// A section that the command line asks for, of a file that names a folder
-    /// for its case, gets a folder beside it: --overwrite would remove the
-    /// results in space.
-    void
-    name_folder_of_section(PrmContents &contents)
-    {
-      const std::string section = "Cross-section", folder = "Output/Directory";
-      std::string       end;
-      PrmEntry          directory{"Output",
-                         "Directory",
-                         OutputParameters().directory,
-                         ""};
-      PrmEntry         *given = nullptr;
-      for (PrmEntry &entry : contents.entries)
-        {
-          const bool is_here = entry.where == "--set " + entry.path();
-          if (is_here && entry.path() == section)
-            {
-              // In the digits of a number: 4.50 is 4.5.
-              if (const auto z = plain_number(entry.value))
-                end = "-section-" + in_digits(*z);
-            }
-          else if (is_here && entry.path() == "Sweep/Parameter" &&
-                   tidy(entry.value) == section)
-            end = "-sections";
-          else if (entry.path() == folder)
-            given = &entry;
-        }
-      if (given != nullptr)
-        directory = *given;
-      if (end.empty() || directory.where == "--set " + folder)
-        return;
-      std::string &name = directory.value;
-      while (name.size() > 1 && name.back() == '/')
-        name.pop_back();
-      if (name.empty())
-        return;
-      name += end;
-      if (given != nullptr)
-        *given = directory;
-      else
-        contents.entries.push_back(
-          {directory.section, directory.name, name, "--set " + section});
-    }
-
-
     bool
     has_sweep(const PrmContents &contents)
     {

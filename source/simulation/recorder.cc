@@ -249,7 +249,9 @@ namespace Waker
     summary.slope       = name_of(state.failure.slope());
     summary.inner_slide = slide_or_nothing(state.failure.inner_slide);
     summary.outer_slide = slide_or_nothing(state.failure.outer_slide);
-    if (parameters->sliding.watch)
+    // A case that could not be made has no points, and nobody has counted them.
+    const bool has_case = state.step > 0 || state.points.n_points() > 0;
+    if (parameters->sliding.watch && has_case)
       summary.sliding_masses = state.sliding;
     summary.flooding_time     = time_or_nothing(state.failure.flooding_time);
     summary.initial_width     = state.failure.initial_width;
@@ -262,8 +264,7 @@ namespace Waker
     summary.newton_iterations = state.newton_iterations;
     summary.linear_iterations = state.linear_iterations;
     summary.unconverged_steps = state.unconverged_steps;
-    // A case that could not be made has no points, and nobody has counted them.
-    if (state.step > 0 || state.points.n_points() > 0)
+    if (has_case)
       summary.particles = state.points.n_points();
     for (const TractionRecord &traction : state.tractions)
       summary.vanished_tractions += traction.empty_time >= 0.;

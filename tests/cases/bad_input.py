@@ -6,6 +6,7 @@ error (where, what, what is allowed), and nothing is written.
 usage: bad_input.py WAKER_BINARY SOURCE_DIR
 """
 
+import json
 import os
 import re
 import sys
@@ -630,6 +631,25 @@ def after_a_run(cases):
                        "Time stepping/End time=50")])
 
 
+def gravity_step_fails(cases):
+    """No wrong input: the summary says what is known, and null of the rest."""
+    done = cases.program.run(
+        ["run", "-", *sets("Output/Directory=unheld",
+                           "Boundary conditions/Names=left side")],
+        stdin=short())
+    if done.returncode != 3 or "the gravity step stops" not in done.stdout:
+        cases.complain("a body that is not held", "is no numerical failure", done)
+        return
+    with open("unheld/summary.json", encoding="utf-8") as file:
+        summary = json.load(file)
+    unknown = ("initial_width", "residual_width", "residual_height", "particles",
+               "sliding_masses")
+    if (any(summary[name] is not None for name in unknown)
+            or not summary["wall_time"] > 0
+            or summary["outcome"] != "numerical failure"):
+        cases.complain("a body that is not held", f"summary {summary}", done)
+
+
 def short():
     """The good case with large cells, and soon at its end."""
     lines = [re.sub("= 40$", "= 0.05",
@@ -679,7 +699,7 @@ def main():
                       numbers_of_the_command_line, texts, grid, tractions,
                       other_loads, load_programmes, walls_and_flow, three_dimensions,
                       tables,
-                      output_folder, after_a_run):
+                      output_folder, after_a_run, gravity_step_fails):
             group(cases)
         same_as_a_process(cases, real)
         os.chdir("/")

@@ -16,10 +16,12 @@ namespace case_prismatic
   {
     /// The slope of chapter 6, coarse: z from 0 to 8 m.
     std::unique_ptr<Parameters>
-    slope(std::vector<std::string> overrides)
+    slope(std::vector<std::string> overrides, const bool prismatic = true)
     {
       overrides.insert(overrides.end(),
-                       {"Grid/Cell size=0.5", "Surface/Prismatic=true"});
+                       {"Grid/Cell size=0.5",
+                        std::string("Surface/Prismatic=") +
+                          (prismatic ? "true" : "false")});
       return read_parameters(WAKER_SOURCE_DIRECTORY
                              "/parameters/chapter6/slope.prm",
                              overrides);
@@ -53,8 +55,7 @@ namespace case_prismatic
     EXPECT_USER_ERROR(slope({"Soil profile/slope/Extent=1, 8"}),
                       where,
                       "slope/Extent reaches from 1 to 8 m");
-    EXPECT_NO_THROW(
-      slope({"Soil profile/slope/Extent=1, 8", "Surface/Prismatic=false"}));
+    EXPECT_NO_THROW(slope({"Soil profile/slope/Extent=1, 8"}, false));
     // Two that are one body behind each other.
     EXPECT_NO_THROW(slope(two("0, 3", "3, 8")));
     EXPECT_NO_THROW(slope(two("3, 8", "0, 3")));

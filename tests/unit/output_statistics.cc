@@ -174,8 +174,12 @@ namespace Waker::output_statistics
               std::string::npos);
     EXPECT_NE(damage(without(third)).find("that of step 2"), std::string::npos);
     EXPECT_EQ(get(path), without(third));
-    for (const std::string instead :
-         {"2 0.2\n", "garbage\n", "2 0.2 x\n", "1 0.2" + row, "\n", "2\n"})
+    for (const std::string &instead : {std::string("2 0.2\n"),
+                                       std::string("garbage\n"),
+                                       std::string("2 0.2 x\n"),
+                                       "1 0.2" + row,
+                                       std::string("\n"),
+                                       std::string("2\n")})
       {
         EXPECT_NE(damage(without(third, instead)).find("that of step 2"),
                   std::string::npos)
