@@ -330,6 +330,11 @@ def other_campaign(whole, folder, check):
                   ("--realisations", "0:2")]:
         check.refused(f"folder of another campaign, {flags[0]}",
                       whole.asked(*flags, set=other), whole.folder)
+    error = whole.asked("--resume", set={
+        **other, "Output/Checkpoint interval": 7,
+        "Campaign/Checkpoint interval": 7}).stderr
+    check("Campaign/Seed (" in error and "Checkpoint interval" not in error,
+          "only what forbids it is told", error)
     check.refused("a campaign that is there", whole.asked(), whole.folder)
     check(contents(whole.folder) == before, "another campaign: nothing changed")
 
