@@ -2,6 +2,7 @@
 #include <waker/base/errors.h>
 #include <waker/base/numbers.h>
 #include <waker/base/stl.h>
+#include <waker/base/text.h>
 
 #include <cmath>
 #include <cstdint>
@@ -48,6 +49,13 @@ namespace Waker
         std::string        word;
         StlTriangle        triangle;
         unsigned int       k = 0;
+        // A text has no zeros; a binary file that is not of the size of its
+        // facets may begin with "solid", too.
+        if (text.size() >= header && text.find('\0') != std::string::npos)
+          refuse("is no text, and as binary STL it is damaged: it announces " +
+                 counted(n, "facet") + ", with which it would have " +
+                 std::to_string(header + std::uint64_t(n) * per_triangle) +
+                 " bytes, but it has " + std::to_string(text.size()));
         if (!(stream >> word) || word != "solid")
           refuse("is no STL file");
         while (stream >> word)

@@ -201,7 +201,7 @@ namespace Waker
 
           const double end_time =
             runners[task.scenario]->first_case().parameters.time.end_time;
-          FolderKeeper          keeper(folder,
+          FolderKeeper keeper(folder,
                               task.scenario,
                               task.realisation,
                               info.hash,
@@ -214,8 +214,14 @@ namespace Waker
                                     progress_text(progress, info) +
                                       running_text(task.realisation, time));
                               });
+          // Not the wall time of the record, of which another process may have
+          // spent a part.
+          const auto            begun  = std::chrono::steady_clock::now();
           std::optional<Record> record = runners[task.scenario]->run(
             seed, task.realisation, options.interrupt, keeper);
+          work.busy += std::chrono::duration<double>(
+                         std::chrono::steady_clock::now() - begun)
+                         .count();
           if (!record)
             return false;
           record->scenario = task.scenario;
@@ -225,7 +231,6 @@ namespace Waker
           keeper.remove();
           progress.add(*record);
           ++work.n;
-          work.busy += record->wall_time;
           work.fields += record->field_time;
 
           if (log.progress_due())

@@ -69,7 +69,9 @@ namespace Waker
     {
       const CampaignInfo old = CampaignInfo::read(info_path(folder));
       const std::string  differences =
-        parameter_differences(old.parameters, info.parameters);
+        parameter_differences(old.parameters,
+                              info.parameters,
+                              is_free_in_campaigns);
       if (old.hash != info.hash)
         refuse("'" + folder + "' holds another campaign (its parameters have " +
                  "the hash " + old.hash + ", these " + info.hash + ")" +

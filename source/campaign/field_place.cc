@@ -91,8 +91,14 @@ namespace Waker
   FieldPlace<dim>::of(const Point<dim> &x) const
   {
     std::array<double, 3> place = coordinates(x);
-    if (the_case->parameters.in_space)
-      place[2] = the_case->parameters.section_z;
+    if (const auto &space = the_case->parameters.in_space)
+      {
+        // On a line between two layers of cells it is the one above, which
+        // round-off in z / h must not change: a millionth of a sub-cell.
+        const double layer =
+          space->grid.cell_size / space->points.points_per_direction;
+        place[2] = the_case->parameters.section_z + 1e-6 * layer;
+      }
     return place;
   }
 

@@ -1,26 +1,28 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/campaign/free_parameters.h>
 
+#include <algorithm>
+
 namespace Waker
 {
-  const std::vector<std::string> &
-  sections_free_in_campaigns()
-  {
-    static const std::vector<std::string> sections = {"Output",
-                                                      "Strength reduction",
-                                                      "Snapshots",
-                                                      "Slides",
-                                                      "Histograms",
-                                                      "Risk"};
-    return sections;
-  }
-
-
   const std::vector<std::string> &
   campaign_parameters_not_free()
   {
     static const std::vector<std::string> names = {"Seed", "Attempts"};
     return names;
+  }
+
+
+  bool
+  is_free_in_campaigns(const std::string &section, const std::string &name)
+  {
+    const auto has = [](const std::vector<std::string> &list,
+                        const std::string              &text) {
+      return std::find(list.begin(), list.end(), text) != list.end();
+    };
+    return has(sections_free_in_campaigns(), section) ||
+           (section == "Campaign" &&
+            !has(campaign_parameters_not_free(), name));
   }
 
 

@@ -17,21 +17,26 @@ namespace Waker
     {
       throw UserError("Cross-section",
                       "is through a case with " + what,
-                      "cases whose layers are prisms, without walls, inflows, "
-                      "point loads and tractions");
+                      "cases whose layers are prisms without initial stress "
+                      "and velocity, without walls, inflows, point loads and "
+                      "tractions");
     }
 
 
     /// Does the section meet what reaches from .. to in this direction? Empty:
-    /// all does.
+    /// all does. As of two layers of cells it is the one above, so of what ends
+    /// at its z and what begins there the latter; a plane has no end.
     bool
     is_met(const std::vector<double> &from,
            const std::vector<double> &to,
            const unsigned int         direction,
            const double               z)
     {
-      return (from.size() <= direction || from[direction] <= z) &&
-             (to.size() <= direction || to[direction] >= z);
+      const bool has_from = from.size() > direction,
+                 has_to   = to.size() > direction;
+      return (!has_from || from[direction] <= z) &&
+             (!has_to || z < to[direction] ||
+              (has_from && from[direction] == z && to[direction] == z));
     }
 
 
@@ -130,11 +135,21 @@ namespace Waker
     {
       if (!p.tractions.empty())
         refuse("tractions");
-      remove_if(p.load_programmes, [=](const LoadProgrammeParameters &load) {
-        // Of the rectangle, z comes second.
-        return load.drives == LoadTarget::weight &&
-               !is_met(load.weight.from, load.weight.to, 1, z);
-      });
+      // Without its load the section would bear whatever comes: not meant. Of
+      // the rectangle, z comes second.
+      for (const LoadProgrammeParameters &load : p.load_programmes)
+        if (load.drives == LoadTarget::weight &&
+            !is_met(load.weight.from, load.weight.to, 1, z))
+          throw UserError("Cross-section",
+                          "is " + in_digits(z) +
+                            " m, beside the load of Load " + "programmes/" +
+                            load.name + ", which reaches from " +
+                            in_digits(load.weight.from[1]) +
+                            " m to less than " + in_digits(load.weight.to[1]) +
+                            " m along z",
+                          "a z under the load; or Load programmes/Names "
+                          "without " +
+                            load.name);
       for (LoadProgrammeParameters &load : p.load_programmes)
         if (load.drives == LoadTarget::weight)
           {

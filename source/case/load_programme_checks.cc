@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/base/numbers.h>
 #include <waker/case/load_programmes.h>
 #include <waker/mechanics/time_scheme.h>
 
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -79,6 +81,63 @@ namespace Waker
   }
 
 
+  namespace
+  {
+    /// Less of a factor (m, -) is nothing.
+    constexpr double least_change = 1e-6;
+
+
+    /// What never acts, or never holds.
+    std::vector<std::string>
+    without_effect(const LoadProgrammeParameters &p, const TimeParameters &time)
+    {
+      std::vector<std::string> warnings;
+      const std::string        end =
+        in_digits(time.end_time) + " s, Time stepping/End time";
+      const std::string unit = *facts_of(p.drives).unit == '-'
+                                 ? ""
+                                 : " " + std::string(facts_of(p.drives).unit);
+      switch (p.kind)
+        {
+          case LoadProgrammeKind::growth:
+            {
+              const double change =
+                std::abs(p.rate) * (time.end_time - p.start_time);
+              if (p.start_time >= time.end_time)
+                warnings.push_back(p.path() + "Start time is " +
+                                   in_digits(p.start_time) + " s, not before " +
+                                   end + ": it never acts");
+              else if (change < least_change)
+                warnings.push_back(p.path() + "Rate is " + in_digits(p.rate) +
+                                   unit + "/s: it changes by " +
+                                   in_digits(change) + unit + " by " + end);
+              if (p.held_by != Watched::nothing && p.held_by == p.stopped_by &&
+                  p.hold_above >= p.stop_above)
+                warnings.push_back(
+                  p.path() + "Hold above is " + in_digits(p.hold_above) + " " +
+                  facts_of(p.held_by).unit + ", not below Stop above, " +
+                  in_digits(p.stop_above) + " " + facts_of(p.held_by).unit +
+                  " of the same quantity: it stops before it would wait");
+              break;
+            }
+          case LoadProgrammeKind::table_of_time:
+            {
+              const TimeFunction function = p.read_table();
+              if (!function.varies(0., time.end_time) &&
+                  std::abs(function.value(0.)) < least_change)
+                warnings.push_back(
+                  p.path() + "Table is " + in_digits(function.value(0.)) +
+                  unit + " from the start to " + end + ": it never acts");
+              break;
+            }
+          case LoadProgrammeKind::table_of_quantity:
+            break;
+        }
+      return warnings;
+    }
+  } // namespace
+
+
   std::vector<std::string>
   unused_in_load_programmes(const Parameters &parameters)
   {
@@ -108,6 +167,8 @@ namespace Waker
                p.hold_above != usual.hold_above,
              "Hold above",
              grows ? "Held by = nothing" : kind);
+        for (const std::string &text : without_effect(p, parameters.time))
+          warnings.push_back(text);
         warn(p.stopped_by == Watched::nothing &&
                p.stop_above != usual.stop_above,
              "Stop above",

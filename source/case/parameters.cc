@@ -14,6 +14,7 @@
 #include <waker/particles/layer.h>
 
 #include "pore_water_checks.h"
+#include "prismatic_checks.h"
 #include <algorithm>
 #include <limits>
 
@@ -309,6 +310,7 @@ namespace Waker
       inflow.check(dimension);
 
     surface.check();
+    check_prismatic(*this);
     mapping.check();
     time.check();
     check_time_scheme(time, gravity, mapping);

@@ -65,8 +65,8 @@ namespace Waker
     if (parameters.at_rest && rests &&
         time - std::max(rest.since, loads_settle_at) >=
           parameters.rest_duration)
-      return failure.failed() ? StopReason::failed_at_rest
-                              : StopReason::stable_at_rest;
+      return failure.failed() || failure.flooded() ? StopReason::failed_at_rest
+                                                   : StopReason::stable_at_rest;
     // Round-off in the sum of the steps must not add a step.
     if (time >= end_time * (1. - 1e-12))
       return StopReason::end_time;

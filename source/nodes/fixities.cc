@@ -6,6 +6,7 @@
 #include <waker/base/places.h>
 #include <waker/nodes/fixities.h>
 
+#include "fixity_nodes.h"
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -24,59 +25,6 @@ namespace Waker
       std::array<bool, dim> component;
       std::array<int, dim>  expression; // number, or at_rest
     };
-
-
-    /// Direction and side of a face.
-    struct Face
-    {
-      unsigned int direction;
-      bool         upper;
-    };
-
-    Face
-    face_of(const FixityRegion region)
-    {
-      Assert(region != FixityRegion::box, ExcInternalError());
-      const unsigned int f = static_cast<unsigned int>(region);
-      return {f / 2, f % 2 == 1};
-    }
-
-
-    template <int dim>
-    std::vector<unsigned int>
-    nodes_of(const BackgroundGrid<dim> &grid, const FixityParameters &fixity)
-    {
-      const bool   is_box = fixity.region == FixityRegion::box;
-      const Face   face   = is_box ? Face{dim, false} : face_of(fixity.region);
-      const double tolerance = 1e-6 * grid.cell_size();
-
-      std::vector<unsigned int> nodes;
-      for (unsigned int n = 0; n < grid.n_nodes(); ++n)
-        {
-          const auto       index = grid.node_index(n);
-          const Point<dim> x     = grid.node_position(n);
-          bool             held  = true;
-          for (unsigned int d = 0; d < dim && held; ++d)
-            if (d == face.direction)
-              {
-                const int margin = grid.margin;
-                const int last   = grid.n_nodes_per_direction()[d] - 1;
-                held =
-                  face.upper ? index[d] >= last - margin : index[d] <= margin;
-              }
-            else
-              held =
-                (fixity.from.empty() || x[d] >= fixity.from[d] - tolerance) &&
-                (fixity.to.empty() || x[d] <= fixity.to[d] + tolerance);
-          if (held)
-            nodes.push_back(n);
-        }
-      if (nodes.empty())
-        throw UserError("Boundary conditions/" + fixity.name,
-                        "there is no node of the grid in its region",
-                        "limits From and To with nodes between them");
-      return nodes;
-    }
 
 
     /// Only increments are prescribed: a displacement at t = 0 would be lost.

@@ -34,7 +34,9 @@ namespace Waker
                "Type",
                type,
                "What is held: fixed = all components, roller = the one "
-               "normal to the face, prescribed = those of Displacement.");
+               "normal to the face, prescribed = those of Displacement. Where "
+               "two conditions hold a node in the same direction, elimination "
+               "counts before penalty, and then the later one in Names.");
     prm.add_parameter(
       "Displacement",
       displacement,

@@ -4,6 +4,7 @@
 #include <waker/base/version.h>
 #include <waker/output/checkpoint.h>
 #include <waker/output/files.h>
+#include <waker/output/free_at_resume.h>
 #include <waker/output/output_files.h>
 #include <waker/output/parameter_differences.h>
 
@@ -203,7 +204,9 @@ namespace Waker
         const std::string path = file_path(directory, OutputFile::parameters);
         const std::string differences =
           !parameters.empty() && std::filesystem::exists(path)
-            ? parameter_differences(read_file(path), parameters)
+            ? parameter_differences(read_file(path),
+                                    parameters,
+                                    is_free_at_resume)
             : "";
         throw UserError(where,
                         "the checkpoint in '" + directory +

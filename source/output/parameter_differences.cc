@@ -9,6 +9,9 @@ namespace Waker
 {
   namespace
   {
+    const std::string contents_of = "contents of ";
+
+
     /// Values by path; "# contents: path = hash" is "contents of path".
     std::map<std::string, std::string>
     values_of(const std::string &text)
@@ -38,9 +41,8 @@ namespace Waker
                    tidy(line.substr(set.size(), equals - set.size()))] =
               tidy(line.substr(equals + 1));
           else if (line.compare(0, contents.size(), contents) == 0)
-            values["contents of " +
-                   tidy(
-                     line.substr(contents.size(), equals - contents.size()))] =
+            values[contents_of + tidy(line.substr(contents.size(),
+                                                  equals - contents.size()))] =
               tidy(line.substr(equals + 1));
         }
       return values;
@@ -65,7 +67,10 @@ namespace Waker
 
 
   std::string
-  parameter_differences(const std::string &there, const std::string &here)
+  parameter_differences(const std::string                              &there,
+                        const std::string                              &here,
+                        const std::function<bool(const std::string &,
+                                                 const std::string &)> &is_free)
   {
     const auto old_values = values_of(there), new_values = values_of(here);
     auto       all = old_values;
@@ -82,7 +87,16 @@ namespace Waker
           return a != old_values.end() && b != new_values.end() &&
                  a->second == b->second;
         };
-        if (path.rfind("Output/", 0) == 0 || is_equal())
+        // "contents of" a file counts as its parameter.
+        const std::string name  = path.rfind(contents_of, 0) == 0
+                                    ? path.substr(contents_of.size())
+                                    : path;
+        const std::size_t slash = name.rfind('/');
+        const bool        free =
+          slash == std::string::npos
+                   ? is_free("", name)
+                   : is_free(name.substr(0, slash), name.substr(slash + 1));
+        if (free || is_equal())
           continue;
         if (++n > n_shown)
           continue;

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <sstream>
 #include <utility>
 
 namespace Waker
@@ -222,18 +223,39 @@ namespace Waker
     void
     check_layer_volume(const Layer<dim> &layer,
                        const double      volume,
+                       const double      sub_cell,
                        const Placement   placement)
     {
       const double difference = std::abs(volume - layer.volume());
       // Whether whole domains fit is seen from all of them, see
       // make_material_points().
       const double most = placement == Placement::sub_cells ? 1e-6 : 1.;
-      if (volume == 0. || !(difference <= most * layer.volume()))
-        throw UserError(layer.path + "/Polygon",
-                        "is too thin: the layer has " +
-                          in_digits(layer.volume()) +
-                          " m^dim, the points made of it " + in_digits(volume),
-                        "a layer that can be seen in the grid");
+      if (volume != 0. && difference <= most * layer.volume())
+        return;
+      // Which of its limits makes it thin?
+      std::string        entry = "Polygon";
+      std::ostringstream what;
+      what.precision(4);
+      what << "is too thin: the layer has " << layer.volume() << " m^" << dim
+           << ", the points made of it " << volume;
+      if (dim == 3 && layer.end - layer.begin < sub_cell)
+        {
+          entry = "Extent";
+          what << "; it reaches from z = " << layer.begin << " to " << layer.end
+               << " m";
+        }
+      else if (!layer.is_prism())
+        {
+          LayerBody prism = layer;
+          prism.top = prism.bottom = nullptr;
+          // Without the maps it would not be thin.
+          if (prism.volume() > 2. * layer.volume())
+            entry = layer.top != nullptr ? "Top" : "Bottom";
+        }
+      what << "; sub-cells have edges of " << sub_cell << " m";
+      throw UserError(layer.path + "/" + entry,
+                      what.str(),
+                      "a layer that can be seen in the grid");
     }
   } // namespace
 
@@ -274,7 +296,10 @@ namespace Waker
     for (const Seed<dim> &seed : seeds)
       volumes[seed.layer] += seed.volume;
     for (unsigned int l = 0; l < layers.size(); ++l)
-      check_layer_volume(layers[l], volumes[l], parameters.placement);
+      check_layer_volume(layers[l],
+                         volumes[l],
+                         grid.cell_size() / n,
+                         parameters.placement);
 
     std::stable_sort(seeds.begin(),
                      seeds.end(),

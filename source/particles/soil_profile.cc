@@ -62,9 +62,10 @@ namespace Waker
     /// rule, and miss corners between their lines; stairs stand out of a slope,
     /// or back.
     void
-    check_volume(const double    points,
-                 const double    profile,
-                 const Placement placement)
+    check_volume(const double       points,
+                 const double       profile,
+                 const unsigned int dim,
+                 const Placement    placement)
     {
       const double difference = std::abs(points - profile);
       const double most       = placement == Placement::rows              ? 0.01
@@ -72,8 +73,10 @@ namespace Waker
                                                                           : 1e-10;
       if (difference <= most * profile)
         return;
-      const std::string what = "have " + in_digits(points) +
-                               " m^dim, the soil profile " + in_digits(profile);
+      std::ostringstream text;
+      text << "have " << points << " m^" << dim << ", the soil profile "
+           << profile;
+      const std::string what = text.str();
       if (placement == Placement::rows)
         throw UserError("Material points/Placement",
                         "the rows " + what + ": corners lie inside rows",
@@ -145,7 +148,7 @@ namespace Waker
         point_volume += points.volume[p];
         point_mass += points.mass[p];
       }
-    check_volume(point_volume, volume, parameters.placement);
+    check_volume(point_volume, volume, dim, parameters.placement);
     AssertThrow(parameters.placement != Placement::sub_cells ||
                   std::abs(point_mass - mass) <= 1e-10 * mass,
                 ExcMessage("The material points have " + in_digits(point_mass) +

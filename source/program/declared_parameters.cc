@@ -144,7 +144,10 @@ namespace Waker
                       parameters.cross_section,
                       "z (m) of a section through a case of three dimensions, "
                       "which is computed instead of it, in plane strain, with "
-                      "its random fields as they are there; or none.",
+                      "its random fields as they are there; or none. It meets "
+                      "what begins at z or below and ends above. With --set, "
+                      "and Output/Directory without, that gets \"-section-\" "
+                      "and z at its end.",
                       NumberOrWordPattern("none"));
     declare_section(prm, "Grid", parameters.grid);
     declare_section(prm, "Material points", parameters.points);

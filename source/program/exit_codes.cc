@@ -29,12 +29,17 @@ namespace Waker
 
 
     int
-    report_file_error(const std::string &path, const std::string &what)
+    report_file_error(const std::string &path,
+                      const std::string &what,
+                      const bool         can_be_resumed)
     {
       print_lines(path,
                   what,
-                  "a writable folder with enough space; what is finished is "
-                  "kept, --resume goes on from there");
+                  std::string("a writable folder with enough space; ") +
+                    (can_be_resumed
+                       ? "what is finished is kept, --resume goes on from there"
+                       : "there is no checkpoint yet: --overwrite begins "
+                         "anew"));
       return file_error;
     }
 
@@ -64,12 +69,15 @@ namespace Waker
       }
     catch (const FileError &error)
       {
-        return report_file_error(error.path, error.problem);
+        return report_file_error(error.path,
+                                 error.problem,
+                                 error.can_be_resumed);
       }
     catch (const std::filesystem::filesystem_error &error)
       {
         return report_file_error(error.path1().string(),
-                                 "cannot be used: " + error.code().message());
+                                 "cannot be used: " + error.code().message(),
+                                 true);
       }
     catch (const NumericalFailure &error)
       {

@@ -6,31 +6,14 @@
 #include <waker/output/output_files.h>
 #include <waker/program/parameter_hash.h>
 
-#include <algorithm>
-
 namespace Waker
 {
-  const std::vector<std::string> &
-  sections_free_at_resume()
-  {
-    static const std::vector<std::string> sections = []() {
-      std::vector<std::string> list = sections_free_in_campaigns();
-      list.insert(list.end(), {"Stop rules", "Campaign", "Sweep"});
-      return list;
-    }();
-    return sections;
-  }
-
-
   namespace
   {
     bool
     decides_steps(const DeclaredParameter &parameter)
     {
-      const auto &free = sections_free_at_resume();
-      return std::find(free.begin(), free.end(), parameter.section) ==
-               free.end() &&
-             parameter.path() != "Time stepping/End time";
+      return !is_free_at_resume(parameter.section, parameter.name);
     }
 
 

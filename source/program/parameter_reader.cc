@@ -13,6 +13,7 @@
 #include <waker/program/prm_scanner.h>
 #include <waker/program/suggestions.h>
 
+#include "section_folder.h"
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
@@ -40,7 +41,17 @@ namespace Waker
     // A file and a line do not say which parameter is meant.
     if (known.count(error.where) != 0 && where(error.where) != error.where)
       what = error.where + ": " + what;
-    return UserError(where(error.where), what, error.allowed);
+    std::string place = where(error.where);
+    // Of a section it may be what the command line sets.
+    if (known.count(error.where) == 0)
+      for (auto line = lines.lower_bound(error.where + "/");
+           line != lines.end() &&
+           line->first.compare(0, error.where.size() + 1, error.where + "/") ==
+             0;
+           ++line)
+        if (line->second == "--set " + line->first)
+          place += ", with " + line->second;
+    return UserError(place, what, error.allowed);
   }
 
 
@@ -275,7 +286,8 @@ namespace Waker
   {
     ParameterLocations  own_locations;
     ParameterLocations &map = locations != nullptr ? *locations : own_locations;
-    const PrmContents   contents = read_contents(source, overrides, map);
+    PrmContents         contents = read_contents(source, overrides, map);
+    name_folder_of_section(contents);
 
     std::vector<std::unique_ptr<Input>> scenarios;
     if (!has_sweep(contents))
@@ -337,7 +349,8 @@ namespace Waker
   {
     ParameterLocations  own_locations;
     ParameterLocations &map = locations != nullptr ? *locations : own_locations;
-    const PrmContents   contents = read_contents(source, overrides, map);
+    PrmContents         contents = read_contents(source, overrides, map);
+    name_folder_of_section(contents);
     return std::make_unique<Parameters>(
       std::move(make_input(contents, map, FileContents::count)->simulation));
   }

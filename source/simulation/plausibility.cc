@@ -2,6 +2,7 @@
 #include <waker/base/expression.h>
 #include <waker/base/text.h>
 #include <waker/mechanics/time_scheme.h>
+#include <waker/nodes/fixity_conflicts.h>
 #include <waker/particles/layer_gaps.h>
 #include <waker/simulation/plausibility.h>
 
@@ -251,6 +252,9 @@ namespace Waker
              << ") m; layers usually touch";
         warnings.push_back(text.str());
       }
+
+    for (const std::string &text : fixity_conflicts(the_case.grid, p.fixities))
+      warnings.push_back(text);
 
     const MixedCells &mixed = the_case.gravity_report.mixed_cells;
     if (mixed.ratio >= smallest_ratio)

@@ -169,6 +169,9 @@ namespace Waker
       std::make_unique<Statistics>(file_path(parameters.output.directory,
                                              OutputFile::statistics),
                                    state.step + 1);
+    if (!statistics->damage().empty())
+      resume_warning +=
+        (resume_warning.empty() ? "" : "; ") + statistics->damage();
   }
 
 
@@ -246,7 +249,9 @@ namespace Waker
     summary.slope       = name_of(state.failure.slope());
     summary.inner_slide = slide_or_nothing(state.failure.inner_slide);
     summary.outer_slide = slide_or_nothing(state.failure.outer_slide);
-    if (parameters->sliding.watch)
+    // A case that could not be made has no points, and nobody has counted them.
+    const bool has_case = state.step > 0 || state.points.n_points() > 0;
+    if (parameters->sliding.watch && has_case)
       summary.sliding_masses = state.sliding;
     summary.flooding_time     = time_or_nothing(state.failure.flooding_time);
     summary.initial_width     = state.failure.initial_width;
@@ -259,7 +264,8 @@ namespace Waker
     summary.newton_iterations = state.newton_iterations;
     summary.linear_iterations = state.linear_iterations;
     summary.unconverged_steps = state.unconverged_steps;
-    summary.particles         = state.points.n_points();
+    if (has_case)
+      summary.particles = state.points.n_points();
     for (const TractionRecord &traction : state.tractions)
       summary.vanished_tractions += traction.empty_time >= 0.;
     for (std::size_t i = 0; i < state.loads.size(); ++i)

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/base/file_error.h>
 #include <waker/base/log.h>
+#include <waker/base/numbers.h>
 #include <waker/base/version.h>
 #include <waker/mechanics/time_scheme.h>
+#include <waker/output/checkpoint.h>
+#include <waker/output/files.h>
 #include <waker/output/folder_lock.h>
 #include <waker/output/output_files.h>
 #include <waker/output/output_folder.h>
@@ -16,6 +20,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <sstream>
 
@@ -178,6 +183,109 @@ namespace Waker
   }
 
 
+  namespace
+  {
+    bool
+    has_checkpoint(const std::string &directory)
+    {
+      std::error_code error;
+      for (unsigned int slot = 0; slot < CheckpointSlots::n_slots; ++slot)
+        if (std::filesystem::exists(join_path(directory, checkpoint_name(slot)),
+                                    error))
+          return true;
+      return false;
+    }
+
+
+    template <int dim>
+    RunStatus
+    run_in_folder(const Parameters        &parameters,
+                  const RunOptions        &options,
+                  const MPI_Comm           communicator,
+                  const InitialSetup<dim> &setup)
+    {
+      const auto         start     = std::chrono::steady_clock::now();
+      const std::string &directory = parameters.output.directory;
+      if (!options.validate_only)
+        refuse_campaign_folder(directory);
+      check_output_folder(directory, folder_mode(options));
+      if (!options.validate_only)
+        refuse_locked_folder(directory);
+      Log log = options.quiet ? Log() : Log(std::cout, Log::is_terminal());
+      std::unique_ptr<const Case<dim>> pointer;
+      try
+        {
+          pointer = std::make_unique<const Case<dim>>(parameters, communicator);
+        }
+      catch (const NumericalFailure &failure)
+        {
+          log.line(std::string("Numerical failure: ") + failure.what());
+          if (!options.validate_only && !options.resume)
+            {
+              if (options.before_writing)
+                options.before_writing();
+              const FolderLock lock = lock_folder(directory, "waker run");
+              prepare_output_folder(directory,
+                                    folder_mode(options),
+                                    parameters.text);
+              State<dim> unknown; // nothing has been measured
+              unknown.failure.initial_width   = nan;
+              unknown.failure.geometry.width  = nan;
+              unknown.failure.geometry.height = nan;
+              const std::chrono::duration<double> wall =
+                std::chrono::steady_clock::now() - start;
+              Recorder<dim>(parameters)
+                .write_summary(unknown,
+                               {},
+                               Outcome::numerical_failure,
+                               Unrest(),
+                               failure.what(),
+                               wall.count(),
+                               log.warnings());
+            }
+          return RunStatus::numerical_failure;
+        }
+      const Case<dim>         &the_case = *pointer;
+      State<dim>               state    = initial_state(the_case);
+      std::vector<std::string> setup_lines;
+      if (setup)
+        setup_lines = setup(the_case, state);
+      const auto describe = [&]() {
+        describe_case(the_case, log);
+        for (const std::string &line : setup_lines)
+          log.line(line);
+      };
+      if (options.validate_only)
+        {
+          describe();
+          log.line(valid_text(directory));
+          return RunStatus::completed;
+        }
+
+      if (options.before_writing)
+        options.before_writing();
+      const FolderLock               lock = lock_folder(directory, "waker run");
+      std::unique_ptr<Recorder<dim>> recorder;
+      if (options.resume)
+        recorder = std::make_unique<Recorder<dim>>(parameters, state);
+      prepare_output_folder(directory, folder_mode(options), parameters.text);
+      if (!options.resume)
+        recorder = std::make_unique<Recorder<dim>>(parameters);
+
+      log.open_file(file_path(directory, OutputFile::log), options.resume);
+      describe();
+      if (options.resume)
+        {
+          if (!recorder->warning().empty())
+            log.warning(recorder->warning());
+          log.line("Resumed at t = " + std::to_string(state.time) +
+                   " s, step " + std::to_string(state.step) + ".");
+        }
+      return loop(the_case, options, options.resume, state, *recorder, log);
+    }
+  } // namespace
+
+
   template <int dim>
   RunStatus
   run(const Parameters        &parameters,
@@ -185,77 +293,15 @@ namespace Waker
       const MPI_Comm           communicator,
       const InitialSetup<dim> &setup)
   {
-    const std::string &directory = parameters.output.directory;
-    if (!options.validate_only)
-      refuse_campaign_folder(directory);
-    check_output_folder(directory, folder_mode(options));
-    if (!options.validate_only)
-      refuse_locked_folder(directory);
-    Log log = options.quiet ? Log() : Log(std::cout, Log::is_terminal());
-    std::unique_ptr<const Case<dim>> pointer;
     try
       {
-        pointer = std::make_unique<const Case<dim>>(parameters, communicator);
+        return run_in_folder(parameters, options, communicator, setup);
       }
-    catch (const NumericalFailure &failure)
+    catch (FileError &error)
       {
-        log.line(std::string("Numerical failure: ") + failure.what());
-        if (!options.validate_only && !options.resume)
-          {
-            if (options.before_writing)
-              options.before_writing();
-            const FolderLock lock = lock_folder(directory, "waker run");
-            prepare_output_folder(directory,
-                                  folder_mode(options),
-                                  parameters.text);
-            Recorder<dim>(parameters)
-              .write_summary(State<dim>(),
-                             {},
-                             Outcome::numerical_failure,
-                             Unrest(),
-                             failure.what(),
-                             0.,
-                             log.warnings());
-          }
-        return RunStatus::numerical_failure;
+        error.can_be_resumed = has_checkpoint(parameters.output.directory);
+        throw;
       }
-    const Case<dim>         &the_case = *pointer;
-    State<dim>               state    = initial_state(the_case);
-    std::vector<std::string> setup_lines;
-    if (setup)
-      setup_lines = setup(the_case, state);
-    const auto describe = [&]() {
-      describe_case(the_case, log);
-      for (const std::string &line : setup_lines)
-        log.line(line);
-    };
-    if (options.validate_only)
-      {
-        describe();
-        log.line(valid_text(directory));
-        return RunStatus::completed;
-      }
-
-    if (options.before_writing)
-      options.before_writing();
-    const FolderLock               lock = lock_folder(directory, "waker run");
-    std::unique_ptr<Recorder<dim>> recorder;
-    if (options.resume)
-      recorder = std::make_unique<Recorder<dim>>(parameters, state);
-    prepare_output_folder(directory, folder_mode(options), parameters.text);
-    if (!options.resume)
-      recorder = std::make_unique<Recorder<dim>>(parameters);
-
-    log.open_file(file_path(directory, OutputFile::log), options.resume);
-    describe();
-    if (options.resume)
-      {
-        if (!recorder->warning().empty())
-          log.warning(recorder->warning());
-        log.line("Resumed at t = " + std::to_string(state.time) + " s, step " +
-                 std::to_string(state.step) + ".");
-      }
-    return loop(the_case, options, options.resume, state, *recorder, log);
   }
 
 

@@ -188,6 +188,63 @@ namespace Waker
     }
 
 
+    /// Of `all`, the names of those that are not in `left`.
+    template <typename Thing>
+    std::string
+    names_not_in(const std::vector<Thing> &left, const std::vector<Thing> &all)
+    {
+      std::string names;
+      for (const Thing &thing : all)
+        if (std::none_of(left.begin(), left.end(), [&](const Thing &other) {
+              return other.name == thing.name;
+            }))
+          names += (names.empty() ? "" : ", ") + thing.name;
+      return names;
+    }
+
+
+    /// What a section does not meet, but for what lies across z.
+    void
+    check_section(const Parameters &p, std::vector<std::string> &warnings)
+    {
+      if (!p.in_space)
+        return;
+      const auto along_z = [](const auto &things, const auto &region) {
+        auto result = things;
+        result.erase(std::remove_if(result.begin(),
+                                    result.end(),
+                                    [&](const auto &thing) {
+                                      const FixityRegion r = region(thing);
+                                      return r == FixityRegion::back ||
+                                             r == FixityRegion::front;
+                                    }),
+                     result.end());
+        return result;
+      };
+      const auto region_of_condition = [](const FixityParameters &condition) {
+        return condition.region;
+      };
+      const auto region_of_outlet = [](const OutletParameters &outlet) {
+        return region_of(outlet.face);
+      };
+      const auto warn = [&](const char *const  section,
+                            const std::string &names) {
+        std::ostringstream text;
+        text << "Cross-section is " << p.section_z << " m, beside " << section
+             << "/" << names << ": left away";
+        if (!names.empty())
+          warnings.push_back(text.str());
+      };
+      warn("Soil profile", names_not_in(p.layers, p.in_space->layers));
+      warn("Boundary conditions",
+           names_not_in(p.fixities,
+                        along_z(p.in_space->fixities, region_of_condition)));
+      warn("Outflow",
+           names_not_in(p.outlets,
+                        along_z(p.in_space->outlets, region_of_outlet)));
+    }
+
+
     void
     check_friction(const std::string           &path,
                    const MohrCoulombParameters &p,
@@ -350,6 +407,7 @@ namespace Waker
                          "will be coarse; 2 is usual");
 
     check_unused(p, warnings);
+    check_section(p, warnings);
     check_water(p, warnings);
     check_liquids(p, warnings);
     for (const std::string &text : unused_in_load_programmes(p))

@@ -26,7 +26,8 @@ namespace Waker
                       prismatic,
                       "In 3D: take the body as prismatic along z, and find its "
                       "surface in the x-y plane, as for a slice in plane "
-                      "strain.",
+                      "strain. Layers whose Top, Bottom or Extent make it "
+                      "another body along z are refused.",
                       Patterns::Bool());
     prm.add_parameter("Kernel radius",
                       kernel_radius,

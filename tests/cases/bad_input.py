@@ -6,6 +6,7 @@ error (where, what, what is allowed), and nothing is written.
 usage: bad_input.py WAKER_BINARY SOURCE_DIR
 """
 
+import json
 import os
 import re
 import sys
@@ -16,6 +17,7 @@ from program import Program
 source = os.path.abspath(sys.argv[2])
 good = os.path.join(source, "parameters/chapter5/dyke.prm")
 slope = os.path.join(source, "parameters/chapter6/slope.prm")
+foundation = os.path.join(source, "parameters/chapter6/foundation.prm")
 random = os.path.join(source, "parameters/chapter5/analysis1.prm")
 with open(good, encoding="utf-8") as good_file:
     good_lines = good_file.read().splitlines()
@@ -534,6 +536,45 @@ def three_dimensions(cases):
     check("no share", "Gravity/Initial share", "0",
           "Gravity/Initial share=0")
 
+    # Bodies that are no prism.
+    prismatic = "Surface/Prismatic=true"
+    extent = "Soil profile/slope/Extent"
+    check("prismatic: extent", "Surface/Prismatic",
+          "slope/Extent reaches from 1 to 8 m, the box from 0 to 8", prismatic,
+          f"{extent}=1, 8")
+    write("map.csv", "x, z, y\n0, 0, 0.5\n0, 8, 0.25\n3.5, 0, 0.5\n3.5, 8, 0.5\n")
+    check("prismatic: height map", "Surface/Prismatic",
+          "slope/Top varies by up to 0.25 m along z", prismatic,
+          f"{top}=map.csv")
+    # What makes a layer thin.
+    check("thin: extent", extent, "too thin: .* m.3, .* z = 0 to 0.01 m",
+          f"{extent}=0, 0.01")
+    write("map.csv", "x, z, y\n" + "\n".join(
+        f"{x}, {z}, 0.01" for x, z in places) + "\n")
+    check("thin: height map", top, "too thin: .* m.3", f"{top}=map.csv")
+    # A binary STL that has lost a byte.
+    write("map.stl", b" " * 80 + b"\x02\0\0\0" + b"\0" * 99)
+    check("damaged STL", top,
+          "announces 2 facets, with which it would have 184 bytes, but it has "
+          "183", f"{top}=map.stl")
+    # A condition between two lines of the grid, in part of the command line.
+    near_end = "Boundary conditions/near end"
+    cases.check("no node",
+                rf"slope\.prm:\d+, with --set {near_end}/To$",
+                "no node of the grid in its region: along x it reaches from "
+                "the end of the grid, -0.5 m to -1 m",
+                ["run", slope, *sets("Grid/Cell size=0.5",
+                                     f"{near_end}/To=-1, 10, 10")])
+
+    # A section beside the load.
+    section = "Cross-section"
+    for z in ("3.4", "4.5"):
+        cases.check(f"section at {z}", f"^--set {section}$",
+                    "beside the load of Load programmes/foundation, which "
+                    "reaches from 3.5 m to less than 4.5 m",
+                    ["run", foundation, *sets(f"{section}={z}",
+                                              "Grid/Cell size=0.5")])
+
 
 def tables(cases):
     """The first row looks like titles to a careless reader."""
@@ -582,6 +623,31 @@ def after_a_run(cases):
                 ["run", good, *in_done])
     cases.check("checkpoint of another case", "Output/Directory",
                 "another case", ["run", good, *in_done, "--resume"])
+    # Only what must not differ is told.
+    cases.check("what differs", "Output/Directory",
+                "differ: Grid/Cell size \\(0.5 there, 0.25 here\\)$",
+                ["run", good, *in_done, "--resume",
+                 *sets("Output/Checkpoint interval=3", "Stop rules/At rest=false",
+                       "Time stepping/End time=50")])
+
+
+def gravity_step_fails(cases):
+    """No wrong input: the summary says what is known, and null of the rest."""
+    done = cases.program.run(
+        ["run", "-", *sets("Output/Directory=unheld",
+                           "Boundary conditions/Names=left side")],
+        stdin=short())
+    if done.returncode != 3 or "the gravity step stops" not in done.stdout:
+        cases.complain("a body that is not held", "is no numerical failure", done)
+        return
+    with open("unheld/summary.json", encoding="utf-8") as file:
+        summary = json.load(file)
+    unknown = ("initial_width", "residual_width", "residual_height", "particles",
+               "sliding_masses")
+    if (any(summary[name] is not None for name in unknown)
+            or not summary["wall_time"] > 0
+            or summary["outcome"] != "numerical failure"):
+        cases.complain("a body that is not held", f"summary {summary}", done)
 
 
 def short():
@@ -633,7 +699,7 @@ def main():
                       numbers_of_the_command_line, texts, grid, tractions,
                       other_loads, load_programmes, walls_and_flow, three_dimensions,
                       tables,
-                      output_folder, after_a_run):
+                      output_folder, after_a_run, gravity_step_fails):
             group(cases)
         same_as_a_process(cases, real)
         os.chdir("/")

@@ -238,7 +238,10 @@ def run_on_full_disk(make, check):
     process = subprocess.Popen(
         words, text=True, env=campaign.environment, stdout=subprocess.DEVNULL,
         stderr=subprocess.PIPE, preexec_fn=limit, restore_signals=False)
-    check.refused("full disk: a run", process, "cannot be written", code=4)
+    error = process.communicate()[1]
+    check(process.returncode == 4 and "cannot be written" in error and
+          "there is no checkpoint yet: --overwrite begins anew" in error,
+          "full disk: a run", f"{process.returncode}: {error}")
     for command in (["parameters"], ["--help"],
                     ["status", make("whole").folder]):
         with open("/dev/full", "w", encoding="utf-8") as full:
@@ -327,6 +330,11 @@ def other_campaign(whole, folder, check):
                   ("--realisations", "0:2")]:
         check.refused(f"folder of another campaign, {flags[0]}",
                       whole.asked(*flags, set=other), whole.folder)
+    error = whole.asked("--resume", set={
+        **other, "Output/Checkpoint interval": 7,
+        "Campaign/Checkpoint interval": 7}).stderr
+    check("Campaign/Seed (" in error and "Checkpoint interval" not in error,
+          "only what forbids it is told", error)
     check.refused("a campaign that is there", whole.asked(), whole.folder)
     check(contents(whole.folder) == before, "another campaign: nothing changed")
 

@@ -8,6 +8,7 @@ usage: campaign_unfinished.py WAKER SOURCE_DIRECTORY
 """
 import json
 import os
+import re
 import shutil
 import signal
 import sys
@@ -115,7 +116,10 @@ def main():
         if os.path.exists(os.path.join(ours, "checkpoints")):
             damage(killed, number)
 
-        killed.run("--resume")
+        said = killed.ask(killed.command("--resume"), check=True).stdout
+        busy = re.findall(r"ranks busy ([0-9.]+) %", said)
+        check(len(busy) == 1 and 0 < float(busy[0]) <= 100,
+              "a rank is not busier than it can be", busy)
         check.once_each("kills", killed, N)
         check.same("kills", reference, killed.merged())
         check(not os.path.exists(os.path.join(killed.folder, "running")),

@@ -150,6 +150,45 @@ def damaged_fields(waker, folder):
     return ok
 
 
+def damaged_statistics(waker, folder):
+    """Rows of before the checkpoint that are gone are told; a header that is not
+    that of the rows is a reason to end."""
+    subprocess.run(command(waker, folder, failing + ["Time stepping/End time=0.3"]),
+                   check=True, stdout=subprocess.DEVNULL)
+    path = os.path.join(folder, "statistics")
+    with open(path, encoding="utf-8") as file:
+        lines = file.read().split("\n")
+    n_header = sum(line.startswith("#") for line in lines)
+
+    def resumed(changed, end):
+        if changed is None:
+            os.remove(path)
+        else:
+            with open(path, "w", encoding="utf-8") as file:
+                file.write("\n".join(changed))
+        done = subprocess.run(
+            command(waker, folder, failing + [f"Time stepping/End time={end}"],
+                    "--resume"), capture_output=True, text=True, check=False)
+        with open(os.path.join(folder, "summary.json"), encoding="utf-8") as file:
+            return done, " ".join(json.load(file)["warnings"])
+
+    ok = True
+    for name, changed in (("a row", lines[:n_header + 7] + lines[n_header + 8:]),
+                          ("the rest", lines[:n_header + 7] + [""]),
+                          ("garbage", lines[:n_header + 7] + ["x 7 7"] +
+                           lines[n_header + 8:])):
+        done, warnings = resumed(changed, 0.4 + 0.1 * ok)
+        good = done.returncode == 0 and "the first is that of step 7" in warnings
+        print(f"damaged statistics, {name}: {done.returncode}, {warnings}")
+        ok = ok and good
+    done, _ = resumed(lines[3:], 0.6)
+    print(f"damaged header: {done.returncode}, {done.stderr}")
+    ok = ok and done.returncode == 2 and "header of" in done.stderr
+    done, warnings = resumed(None, 0.6)
+    print(f"no statistics: {done.returncode}, {warnings}")
+    return ok and done.returncode == 0 and "the first is that of step 0" in warnings
+
+
 def main():
     parameters = os.path.join(sys.argv[2], "parameters")
     dyke = (sys.argv[1], os.path.join(parameters, "chapter5", "dyke_weak.prm"))
@@ -190,6 +229,7 @@ def main():
             print(f"  final checkpoint {'equal' if same else 'DIFFERENT'}")
             ok = ok and same
         ok = damaged_fields(dyke, os.path.join(folder, "damaged")) and ok
+        ok = damaged_statistics(dyke, os.path.join(folder, "rows")) and ok
     return 0 if ok else 1
 
 

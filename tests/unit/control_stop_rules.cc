@@ -73,6 +73,15 @@ namespace control_stop_rules
     EXPECT_EQ(after_failure(5., still, slow, failed_at(3.)), StopReason::none);
     EXPECT_EQ(after_failure(6.1, still, slow, failed_at(3.)),
               StopReason::failed_at_rest);
+
+    // Flooded without a slide: the outcome is a failure, and so is the reason.
+    Rules flooded;
+    flooded.parameters.on_flooding = false;
+    FailureRecord only_flooded;
+    only_flooded.flooding_time = 3.;
+    EXPECT_EQ(flooded(5., still, slow, only_flooded), StopReason::none);
+    EXPECT_EQ(flooded(6.1, still, slow, only_flooded),
+              StopReason::failed_at_rest);
   }
 
 

@@ -6,6 +6,7 @@
 
 #include "output_temporary_folder.h"
 #include "user_errors.h"
+#include <filesystem>
 #include <gtest/gtest.h>
 #include <sstream>
 
@@ -131,8 +132,86 @@ namespace Waker::output_statistics
     }
     Statistics statistics(folder.file("statistics"), 4);
     statistics.begin_row(4);
-    EXPECT_EQ(mistake([&]() { statistics.add("Energy (kJ)", 1.); }),
-              "Column 2 of the statistics is not 'Energy (kJ)' in every row");
+    EXPECT_USER_ERROR(statistics.add("Energy (kJ)", 1.),
+                      "Output/Directory",
+                      "does not name its column 2 \"Energy (kJ)\"");
+  }
+
+
+  TEST(Output, resumed_statistics_tell_what_is_missing)
+  {
+    const TemporaryFolder folder;
+    const std::string     path = folder.file("statistics");
+    std::string           whole;
+    {
+      Statistics statistics(path);
+      add_rows(statistics, 0, 9);
+    }
+    whole = get(path);
+    // Resumed from a checkpoint after step 4; the file is then...
+    const auto damage = [&](const std::string &text) {
+      put(path, text);
+      Statistics statistics(path, 5);
+      add_rows(statistics, 5, 9);
+      return statistics.damage();
+    };
+    const auto without = [&](const std::string &part,
+                             const std::string &instead = "") {
+      std::string text = whole;
+      EXPECT_NE(text.find(part), std::string::npos) << part;
+      return text.replace(text.find(part), part.size(), instead);
+    };
+    const std::string row    = " -0.3333333333\n";
+    const std::string header = whole.substr(0, whole.find("\n0 ") + 1);
+
+    EXPECT_EQ(damage(whole), "");
+    EXPECT_EQ(get(path), whole);
+
+    const std::string third = "2 0.2" + row;
+    EXPECT_NE(damage(without(third))
+                .find("1 of 5 rows of before the "
+                      "checkpoint are missing or damaged"),
+              std::string::npos);
+    EXPECT_NE(damage(without(third)).find("that of step 2"), std::string::npos);
+    EXPECT_EQ(get(path), without(third));
+    for (const std::string &instead : {std::string("2 0.2\n"),
+                                       std::string("garbage\n"),
+                                       std::string("2 0.2 x\n"),
+                                       "1 0.2" + row,
+                                       std::string("\n"),
+                                       std::string("2\n")})
+      {
+        EXPECT_NE(damage(without(third, instead)).find("that of step 2"),
+                  std::string::npos)
+          << instead;
+        EXPECT_EQ(get(path), without(third));
+      }
+    // The end, and all.
+    EXPECT_NE(damage(header + "0 0" + row + "1 0.1" + row).find("3 of 5 rows"),
+              std::string::npos);
+    for (const std::string &text :
+         {header, std::string("# 1: St"), std::string()})
+      {
+        EXPECT_NE(damage(text).find("5 of 5 rows"), std::string::npos);
+        EXPECT_EQ(get(path).find(header + "5 0.5"), 0u);
+      }
+    std::filesystem::remove(path);
+    {
+      Statistics statistics(path, 5);
+      EXPECT_NE(statistics.damage().find("5 of 5 rows"), std::string::npos);
+      add_rows(statistics, 5, 9);
+    }
+    EXPECT_EQ(get(path).find(header + "5 0.5"), 0u);
+
+    // The header; the file stays as it is.
+    for (const std::string line : {"# 1: Step\n", "# 3: Dyke width (m)\n"})
+      {
+        put(path, without(line));
+        EXPECT_USER_ERROR(Statistics(path, 5),
+                          "Output/Directory",
+                          "the header of '" + path + "' is damaged");
+        EXPECT_EQ(get(path), without(line));
+      }
   }
 
 

@@ -271,7 +271,7 @@ namespace particles_slopes
                            {layer("film", "0, 0; 6, 0; 6, 0.09; 0, 0.09")},
                            Placement::whole_sub_cells),
                       "Material points/Placement",
-                      "have 6 m^dim, the soil profile 4.32");
+                      "have 6 m^3, the soil profile 4.32");
     EXPECT_NO_THROW(
       make(grid, {layer("film", "0, 0; 6, 0; 6, 0.09; 0, 0.09")}));
 

@@ -202,4 +202,52 @@ namespace simulation_sizes
       }
     EXPECT_TRUE(warnings("Materials/clay/Unit weight=18").empty());
   }
+
+
+  TEST(Plausibility, load_programmes_that_never_act_or_hold_are_told)
+  {
+    const auto warnings = [](std::vector<std::string> settings) {
+      settings.insert(settings.end(),
+                      {"Load programmes/Names=q",
+                       "Load programmes/q/Drives=water",
+                       "Time stepping/End time=40"});
+      std::string all;
+      for (const std::string &text : strange_parameters(
+             read_scenarios(base_case, settings)[0]->simulation))
+        all += text + "\n";
+      return all;
+    };
+    const std::string q     = "Load programmes/q/";
+    const std::string rate  = q + "Rate=-0.01";
+    const std::string table = q + "Kind=table of time";
+    EXPECT_EQ(warnings({rate}), "");
+    EXPECT_EQ(warnings({rate, q + "Start time=39"}), "");
+    EXPECT_EQ(warnings({rate, q + "Start time=40"}),
+              q + "Start time is 40 s, not before 40 s, Time stepping/End "
+                  "time: it never acts\n");
+    EXPECT_EQ(warnings({q + "Rate=-1e-300"}),
+              q + "Rate is -1e-300 m/s: it changes by 4e-299 m by 40 s, Time "
+                  "stepping/End time\n");
+
+    const std::vector<std::string> limits     = {rate,
+                                                 q + "Held by=largest settlement",
+                                                 q +
+                                                   "Stopped by=largest settlement",
+                                                 q + "Stop above=0.1"};
+    const auto                     held_above = [&](const std::string &limit) {
+      std::vector<std::string> settings = limits;
+      settings.push_back(q + "Hold above=" + limit);
+      return warnings(settings);
+    };
+    EXPECT_EQ(held_above("0.09"), "");
+    EXPECT_EQ(held_above("0.1"),
+              q + "Hold above is 0.1 m, not below Stop above, 0.1 m of the "
+                  "same quantity: it stops before it would wait\n");
+
+    EXPECT_EQ(warnings({table, q + "Table=30: 0, 41: -1"}), "");
+    EXPECT_EQ(warnings({table, q + "Table=0: -1, 50: -1"}), "");
+    EXPECT_EQ(warnings({table, q + "Table=40: 0, 41: -1"}),
+              q + "Table is 0 m from the start to 40 s, Time stepping/End "
+                  "time: it never acts\n");
+  }
 } // namespace simulation_sizes

@@ -230,6 +230,24 @@ namespace surface_user_surface
 
     auto open = triangles;
     open.pop_back();
+    // Damaged: another number of facets, or of bytes.
+    const std::string whole = binary_stl(triangles);
+    for (const unsigned char n_facets : {0, 1, 200})
+      {
+        std::string damaged = whole;
+        damaged[80]         = static_cast<char>(n_facets);
+        damaged[81] = damaged[82] = damaged[83] = 0;
+        EXPECT_TRUE(
+          refuses<3>(damaged,
+                     "damaged: it announces " + std::to_string(n_facets) +
+                       (n_facets == 1 ? " facet, " : " facets, ") +
+                       "with which it would have " +
+                       std::to_string(84 + 50 * n_facets) +
+                       " bytes, but it has " + std::to_string(whole.size())));
+      }
+    EXPECT_TRUE(refuses<3>(whole + "x", "damaged"));
+    EXPECT_TRUE(refuses<3>("solid" + whole.substr(5) + "x", "damaged"));
+    EXPECT_TRUE(refuses<3>(whole.substr(0, whole.size() - 1), "damaged"));
     EXPECT_TRUE(refuses<3>(stl(open), "open"));
     EXPECT_TRUE(refuses<3>(binary_stl(open), "open"));
     auto turned = triangles;

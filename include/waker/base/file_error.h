@@ -27,6 +27,8 @@ namespace Waker
 
     std::string path;
     std::string problem;
+    /// Is there something with which --resume can go on?
+    bool can_be_resumed = true;
   };
 } // namespace Waker
 

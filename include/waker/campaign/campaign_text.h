@@ -15,7 +15,7 @@ namespace Waker
   struct Work
   {
     std::uint64_t n      = 0;  // realisations
-    double        busy   = 0.; // s, sum of their wall times
+    double        busy   = 0.; // s, spent on them since this start
     double        fields = 0.; // s, of which for random fields
     double        wall   = 0.; // s, of the slowest rank
   };

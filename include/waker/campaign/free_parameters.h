@@ -2,19 +2,20 @@
 #ifndef waker_campaign_free_parameters_h
 #define waker_campaign_free_parameters_h
 
+#include <waker/output/free_at_resume.h>
+
 #include <string>
 #include <vector>
 
 namespace Waker
 {
-  /// The sections that decide nothing of a campaign's records, whole: of what
-  /// comes after them, and of what only other commands do.
-  const std::vector<std::string> &
-  sections_free_in_campaigns();
-
   /// Those of section "Campaign" that decide records.
   const std::vector<std::string> &
   campaign_parameters_not_free();
+
+  /// May a campaign be resumed with another value of this parameter?
+  bool
+  is_free_in_campaigns(const std::string &section, const std::string &name);
 
   /// In words, for messages: what a campaign may be resumed with other values
   /// of.

@@ -16,7 +16,7 @@ namespace Waker
   void
   check_load_programmes(const Parameters &parameters);
 
-  /// What is set but of no effect.
+  /// What is set but of no effect, what never acts and what never holds.
   std::vector<std::string>
   unused_in_load_programmes(const Parameters &parameters);
 

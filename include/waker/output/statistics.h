@@ -31,8 +31,11 @@ namespace Waker
     /// @throws as throw_cannot_write() if it cannot be written
     explicit Statistics(const std::string &path);
 
-    /// Go on with the file of a resumed run: rows of steps >= first_step, and
-    /// a last line that was cut short, are removed.
+    /// Go on with the file of a resumed run: rows of steps >= first_step, a
+    /// last line that was cut short, and lines that are no row are removed.
+    /// There should be a row of each step before: see damage().
+    /// @throws UserError "Output/Directory" if its header names other columns
+    /// than its rows have
     Statistics(const std::string &path, const std::uint64_t first_step);
 
     ~Statistics();
@@ -60,6 +63,14 @@ namespace Waker
     void
     flush();
 
+    /// A line for the user about rows that are missing in the file of a
+    /// resumed run, or empty.
+    const std::string &
+    damage() const
+    {
+      return damage_text;
+    }
+
     /// Names of the columns; empty before the first row.
     const std::vector<std::string> &
     columns() const
@@ -75,7 +86,9 @@ namespace Waker
     std::unique_ptr<AppendFile> file;  // none: nothing is written
     std::vector<std::string>    names; // of the columns
     bool                        header_written = false;
-    unsigned int                column         = 0; // next one of this row
+    bool                        is_resumed     = false; // names: of the file
+    std::string                 damage_text;
+    unsigned int                column = 0; // next one of this row
     std::string                 buffer;
   };
 } // namespace Waker

@@ -76,7 +76,8 @@ namespace Waker
     std::uint64_t newton_iterations = 0;
     std::uint64_t linear_iterations = 0;
     std::uint64_t unconverged_steps = 0;
-    std::uint64_t particles         = 0;
+    /// None if there was no case: its gravity step did not converge.
+    std::optional<std::uint64_t> particles;
     /// Tractions that at some time had no surface left to load.
     std::uint64_t vanished_tractions = 0;
 

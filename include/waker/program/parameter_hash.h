@@ -2,6 +2,7 @@
 #ifndef waker_program_parameter_hash_h
 #define waker_program_parameter_hash_h
 
+#include <waker/output/free_at_resume.h>
 #include <waker/program/declared_parameters.h>
 
 #include <string>
@@ -9,11 +10,6 @@
 
 namespace Waker
 {
-  /// The sections of which a run may be resumed with other values, whole; of
-  /// the others only Time stepping/End time. The manual lists them, too.
-  const std::vector<std::string> &
-  sections_free_at_resume();
-
   /// Do the contents of files that parameters name count in a hash? They need
   /// not be there where nothing is computed.
   enum class FileContents

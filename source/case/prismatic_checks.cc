@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "prismatic_checks.h"
+
+#include <waker/base/errors.h>
+#include <waker/base/numbers.h>
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+
+namespace Waker
+{
+  namespace
+  {
+    [[noreturn]] void
+    refuse_prism(const std::string &what)
+    {
+      throw UserError(
+        "Surface/Prismatic",
+        "is true, but " + what + ": its surface would be an average along z",
+        "false; or layers that are the same at each z of the box");
+    }
+
+
+    /// The most that the map varies along z (m), seen at some places.
+    double
+    variation(const HeightMap &map, const LayerBody &body)
+    {
+      constexpr unsigned int n     = 100;
+      double                 begin = body.corners[0][0], end = begin;
+      for (const auto &corner : body.corners)
+        {
+          begin = std::min(begin, corner[0]);
+          end   = std::max(end, corner[0]);
+        }
+      double most = 0.;
+      for (unsigned int i = 0; i <= n; ++i)
+        {
+          double low = 0., high = 0.;
+          bool   is_first = true;
+          for (unsigned int k = 0; k <= n; ++k)
+            if (const auto y =
+                  map.at(begin + (end - begin) * i / n,
+                         body.begin + (body.end - body.begin) * k / n))
+              {
+                low      = is_first ? *y : std::min(low, *y);
+                high     = is_first ? *y : std::max(high, *y);
+                is_first = false;
+              }
+          most = std::max(most, high - low);
+        }
+      return most;
+    }
+  } // namespace
+
+
+  void
+  check_prismatic(const Parameters &p)
+  {
+    if (p.dimension != 3 || !p.surface.prismatic)
+      return;
+    const double low = p.grid.lower_corner[2], high = p.grid.upper_corner[2];
+    for (const LayerParameters &layer : p.layers)
+      {
+        if (layer.extent.empty())
+          continue;
+        // Others of the same polygon may go on where this one ends.
+        std::vector<std::array<double, 2>> extents;
+        for (const LayerParameters &other : p.layers)
+          if (other.corners() == layer.corners() && !other.extent.empty())
+            extents.push_back({{other.extent[0], other.extent[1]}});
+        std::sort(extents.begin(), extents.end());
+        double       end       = low;
+        const double round_off = 1e-6 * p.grid.cell_size;
+        for (const auto &extent : extents)
+          if (extent[0] <= end + round_off)
+            end = std::max(end, extent[1]);
+        if (end < high - round_off)
+          refuse_prism("Soil profile/" + layer.name + "/Extent reaches from " +
+                       in_digits(layer.extent[0]) + " to " +
+                       in_digits(layer.extent[1]) + " m, the box from " +
+                       in_digits(low) + " to " + in_digits(high) + " m");
+      }
+  }
+
+
+  void
+  check_prismatic(const Parameters &p, const std::vector<LayerBody> &bodies)
+  {
+    if (p.dimension != 3 || !p.surface.prismatic)
+      return;
+    for (std::size_t l = 0; l < std::min(bodies.size(), p.layers.size()); ++l)
+      for (const bool is_top : {true, false})
+        {
+          const auto &map = is_top ? bodies[l].top : bodies[l].bottom;
+          if (map == nullptr)
+            continue;
+          const double height = variation(*map, bodies[l]);
+          // Much less than what the surface is found by.
+          if (!(height > 1e-3 * p.grid.cell_size))
+            continue;
+          std::ostringstream text;
+          text.precision(3);
+          text << "Soil profile/" << p.layers[l].name << "/"
+               << (is_top ? "Top" : "Bottom") << " varies by up to " << height
+               << " m along z";
+          refuse_prism(text.str());
+        }
+  }
+} // namespace Waker
