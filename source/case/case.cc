@@ -13,7 +13,6 @@
 #include <waker/mechanics/deformation.h>
 #include <waker/mechanics/time_scheme.h>
 
-#include "prismatic_checks.h"
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -123,7 +122,6 @@ namespace Waker
                      std::pow(p.grid.cell_size, dim))
     , riding_loads(p.tractions.size())
   {
-    check_prismatic(p, ground.depths().bodies());
     initial_points = make_soil(grid, p, materials, &layers_of_points);
     saturate(pore_water, p, initial_points);
     flow.fill(initial_points);

@@ -14,7 +14,6 @@
 #include <waker/particles/layer.h>
 
 #include "pore_water_checks.h"
-#include "prismatic_checks.h"
 #include <algorithm>
 #include <limits>
 
@@ -310,7 +309,6 @@ namespace Waker
       inflow.check(dimension);
 
     surface.check();
-    check_prismatic(*this);
     mapping.check();
     time.check();
     check_time_scheme(time, gravity, mapping);

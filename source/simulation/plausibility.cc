@@ -7,6 +7,7 @@
 #include <waker/simulation/plausibility.h>
 
 #include "plausible_ranges.h"
+#include "prismatic_warnings.h"
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -253,6 +254,9 @@ namespace Waker
         warnings.push_back(text.str());
       }
 
+    for (const std::string &text :
+         prismatic_warnings(p, the_case.ground.depths().bodies()))
+      warnings.push_back(text);
     for (const std::string &text : fixity_conflicts(the_case.grid, p.fixities))
       warnings.push_back(text);
 

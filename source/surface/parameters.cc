@@ -27,7 +27,7 @@ namespace Waker
                       "In 3D: take the body as prismatic along z, and find its "
                       "surface in the x-y plane, as for a slice in plane "
                       "strain. Layers whose Top, Bottom or Extent make it "
-                      "another body along z are refused.",
+                      "another body along z are warned of.",
                       Patterns::Bool());
     prm.add_parameter("Kernel radius",
                       kernel_radius,

@@ -536,16 +536,6 @@ def three_dimensions(cases):
     check("no share", "Gravity/Initial share", "0",
           "Gravity/Initial share=0")
 
-    # Bodies that are no prism.
-    prismatic = "Surface/Prismatic=true"
-    extent = "Soil profile/slope/Extent"
-    check("prismatic: extent", "Surface/Prismatic",
-          "slope/Extent reaches from 1 to 8 m, the box from 0 to 8", prismatic,
-          f"{extent}=1, 8")
-    write("map.csv", "x, z, y\n0, 0, 0.5\n0, 8, 0.25\n3.5, 0, 0.5\n3.5, 8, 0.5\n")
-    check("prismatic: height map", "Surface/Prismatic",
-          "slope/Top varies by up to 0.25 m along z", prismatic,
-          f"{top}=map.csv")
     # What makes a layer thin.
     check("thin: extent", extent, "too thin: .* m.3, .* z = 0 to 0.01 m",
           f"{extent}=0, 0.01")

@@ -68,9 +68,7 @@ def main():
         checks.between("  at", flooded["flooding_time"], 1 / 15,
                        1 / 15 + 0.2 * H / 15 + 0.02, "s")
         projected = workspace.run("projected", "chapter5/dyke.prm", {
-            **SPACE, "Surface/Prismatic": "true",
-            # A prism in two layers; another body is refused.
-            "Soil profile/low/Polygon": SPACE["Soil profile/high/Polygon"]})
+            **SPACE, "Surface/Prismatic": "true"})
         checks.equal("prismatic: no z", projected["residual_height_z"], None)
         checks.equal("prismatic: no z in the statistics",
                      [name for name in projected.statistics

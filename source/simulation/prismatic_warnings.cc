@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "prismatic_checks.h"
+#include "prismatic_warnings.h"
 
-#include <waker/base/errors.h>
 #include <waker/base/numbers.h>
 
 #include <algorithm>
@@ -12,13 +11,12 @@ namespace Waker
 {
   namespace
   {
-    [[noreturn]] void
-    refuse_prism(const std::string &what)
+    std::string
+    warning(const std::string &what)
     {
-      throw UserError(
-        "Surface/Prismatic",
-        "is true, but " + what + ": its surface would be an average along z",
-        "false; or layers that are the same at each z of the box");
+      return "Surface/Prismatic is true, but " + what +
+             ": the surface is an average along z, so H, W and the water are, "
+             "too";
     }
 
 
@@ -54,11 +52,12 @@ namespace Waker
   } // namespace
 
 
-  void
-  check_prismatic(const Parameters &p)
+  std::vector<std::string>
+  prismatic_warnings(const Parameters &p, const std::vector<LayerBody> &bodies)
   {
+    std::vector<std::string> warnings;
     if (p.dimension != 3 || !p.surface.prismatic)
-      return;
+      return warnings;
     const double low = p.grid.lower_corner[2], high = p.grid.upper_corner[2];
     for (const LayerParameters &layer : p.layers)
       {
@@ -76,19 +75,12 @@ namespace Waker
           if (extent[0] <= end + round_off)
             end = std::max(end, extent[1]);
         if (end < high - round_off)
-          refuse_prism("Soil profile/" + layer.name + "/Extent reaches from " +
-                       in_digits(layer.extent[0]) + " to " +
-                       in_digits(layer.extent[1]) + " m, the box from " +
-                       in_digits(low) + " to " + in_digits(high) + " m");
+          warnings.push_back(
+            warning("Soil profile/" + layer.name + "/Extent reaches from " +
+                    in_digits(layer.extent[0]) + " to " +
+                    in_digits(layer.extent[1]) + " m, the box from " +
+                    in_digits(low) + " to " + in_digits(high) + " m"));
       }
-  }
-
-
-  void
-  check_prismatic(const Parameters &p, const std::vector<LayerBody> &bodies)
-  {
-    if (p.dimension != 3 || !p.surface.prismatic)
-      return;
     for (std::size_t l = 0; l < std::min(bodies.size(), p.layers.size()); ++l)
       for (const bool is_top : {true, false})
         {
@@ -104,7 +96,8 @@ namespace Waker
           text << "Soil profile/" << p.layers[l].name << "/"
                << (is_top ? "Top" : "Bottom") << " varies by up to " << height
                << " m along z";
-          refuse_prism(text.str());
+          warnings.push_back(warning(text.str()));
         }
+    return warnings;
   }
 } // namespace Waker
