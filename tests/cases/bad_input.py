@@ -537,6 +537,7 @@ def three_dimensions(cases):
           "Gravity/Initial share=0")
 
     # What makes a layer thin.
+    extent = "Soil profile/slope/Extent"
     check("thin: extent", extent, "too thin: .* m.3, .* z = 0 to 0.01 m",
           f"{extent}=0, 0.01")
     write("map.csv", "x, z, y\n" + "\n".join(

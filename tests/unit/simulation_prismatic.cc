@@ -21,6 +21,7 @@ namespace simulation_prismatic
     {
       overrides.insert(overrides.end(),
                        {"Grid/Cell size=0.5",
+                        "Material points/Placement=sub-cells",
                         "Gravity/Initial stress=false",
                         std::string("Surface/Prismatic=") +
                           (prismatic ? "true" : "false")});
