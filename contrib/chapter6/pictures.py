@@ -61,6 +61,13 @@ def frames_at(run, times):
         numbers = [0, len(at) // 2, len(at) - 1]
     else:
         numbers = [int(np.argmin(np.abs(at - time))) for time in times]
+        for time, k in zip(times, numbers):
+            if abs(at[k] - time) > 1e-6 * max(1.0, at[-1]):
+                print(f"no picture at {time:g} s: the nearest file is of "
+                      f"{at[k]:g} s (they reach from {at[0]:g} to "
+                      f"{at[-1]:g} s)")
+        if min(times) > at[-1] or max(times) < at[0]:
+            sys.exit("none of these times was computed")
     return [Frame(run, series, k) for k in sorted(set(numbers))]
 
 
