@@ -51,16 +51,14 @@ namespace Waker
     }
 
 
-    /// Saturated weight over the unit weight.
+    /// Weight below the phreatic line over the unit weight.
     double
     saturation(const Parameters &parameters, const unsigned int m)
     {
       if (!parameters.pore_water.is_there() || m >= parameters.materials.size())
         return 1.;
-      const MaterialParameters &material = parameters.materials[m];
-      return material.saturated_unit_weight > 0.
-               ? material.saturated_unit_weight / material.unit_weight
-               : 1.;
+      return unit_weight_below_line(parameters.materials, m) /
+             parameters.materials[m].unit_weight;
     }
 
 
@@ -85,19 +83,25 @@ namespace Waker
     }
 
 
-    /// The soil below the phreatic line gets its saturated weight.
+    /// The soil below the phreatic line gets the weight and the material that
+    /// it has there.
     template <int dim>
     void
-    saturate(const PoreWater<dim> &pore_water,
-             const Parameters     &parameters,
-             MaterialPoints<dim>  &points)
+    put_below_line(const PoreWater<dim> &pore_water,
+                   const Parameters     &parameters,
+                   MaterialPoints<dim>  &points)
     {
       if (pore_water.empty())
         return;
       for (std::size_t p = 0; p < points.n_points(); ++p)
         if (pore_water.line().height(points.initial_position[p][0]) >
             points.initial_position[p][1])
-          points.mass[p] *= saturation(parameters, points.material[p]);
+          {
+            const unsigned int m = points.material[p];
+            points.mass[p] *= saturation(parameters, m);
+            if (m < parameters.materials.size())
+              points.material[p] = material_below_line(parameters.materials, m);
+          }
     }
   } // namespace
 
@@ -123,7 +127,7 @@ namespace Waker
     , riding_loads(p.tractions.size())
   {
     initial_points = make_soil(grid, p, materials, &layers_of_points);
-    saturate(pore_water, p, initial_points);
+    put_below_line(pore_water, p, initial_points);
     flow.fill(initial_points);
     layers_of_points.resize(initial_points.n_points(),
                             ground.depths().n_layers());

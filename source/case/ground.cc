@@ -31,9 +31,10 @@ namespace Waker
                        p.materials.end(),
                        [&](const auto &m) { return m.name == layer.material; });
         AssertThrow(material != p.materials.end(), ExcInternalError());
-        const double above = share * material->unit_weight;
-        const double below = share * material->saturated_unit_weight;
-        unit_weights.push_back({above, below > 0. ? below : above});
+        const unsigned int number = material - p.materials.begin();
+        unit_weights.push_back(
+          {share * material->unit_weight,
+           share * unit_weight_below_line(p.materials, number)});
       }
     for (const TractionParameters &traction : p.tractions)
       if (traction.kind == TractionKind::hydrostatic)

@@ -26,6 +26,50 @@ namespace Waker
                               in_digits(corner[0]) + " m",
                             "a line over all soil");
     }
+
+
+    /// Is there no water in it, ever?
+    bool
+    stays_above_line(const Parameters &p, const MaterialParameters &material)
+    {
+      return !tidy(material.below_line).empty() &&
+             p.pore_water.pressure_of == PorePressureOf::soil &&
+             p.pore_water.largest_suction == 0.;
+    }
+
+
+    /// Also without a line, for names are names.
+    void
+    check_below_line(const Parameters &p, const MaterialParameters &material)
+    {
+      const std::string path = "Materials/" + material.name + "/Below the line";
+      const std::string below = tidy(material.below_line);
+      if (below.empty())
+        return;
+      std::string others;
+      for (const MaterialParameters &other : p.materials)
+        if (other.name != material.name && tidy(other.below_line).empty())
+          others += (others.empty() ? "" : ", ") + other.name;
+      const bool is_known = std::any_of(p.materials.begin(),
+                                        p.materials.end(),
+                                        [&](const MaterialParameters &other) {
+                                          return other.name == below &&
+                                                 &other != &material &&
+                                                 tidy(other.below_line).empty();
+                                        });
+      if (!is_known)
+        throw UserError(path,
+                        "is " + in_quotes(below),
+                        "another material that is itself below the line" +
+                          (others.empty() ? "; there is none" : ": " + others));
+      for (const InflowParameters &inflow : p.inflows)
+        if (inflow.material == material.name)
+          throw UserError(path,
+                          "is " + in_quotes(below) +
+                            ", but the soil flows in (Inflow/" + inflow.name +
+                            "), above the line or below",
+                          "nothing for soil that flows in");
+    }
   } // namespace
 
 
@@ -33,6 +77,8 @@ namespace Waker
   check_pore_water(const Parameters &p)
   {
     p.pore_water.check();
+    for (const MaterialParameters &material : p.materials)
+      check_below_line(p, material);
     if (!p.pore_water.is_there())
       {
         if (!tidy(p.pore_water.daily_phreatic_line).empty())
@@ -77,7 +123,9 @@ namespace Waker
     const bool is_drained =
       std::any_of(p.materials.begin(),
                   p.materials.end(),
-                  [](const MaterialParameters &m) { return m.is_drained(); });
+                  [&](const MaterialParameters &m) {
+                    return m.is_drained() && !stays_above_line(p, m);
+                  });
     if (is_drained && p.water.stands() && p.water.minimum_support > 0.)
       throw UserError("Water/Minimum support",
                       "is " + in_digits(p.water.minimum_support) +

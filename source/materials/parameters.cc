@@ -6,6 +6,7 @@
 #include <waker/base/errors.h>
 #include <waker/base/expression_pattern.h>
 #include <waker/base/numbers.h>
+#include <waker/base/text.h>
 #include <waker/materials/factory.h>
 
 #include <cmath>
@@ -34,6 +35,14 @@ namespace Waker
       "that lies below the phreatic line at the start; it keeps "
       "it. 0: the unit weight, as above the line.",
       Patterns::Double(0.));
+    prm.add_parameter("Below the line",
+                      below_line,
+                      "Name of another material: soil of this one that lies "
+                      "below the phreatic line at the start is of that one, "
+                      "with its law and its saturated weight, and stays it; "
+                      "as clay that drains above the line and not below. "
+                      "Empty: it is the same below.",
+                      Patterns::Anything());
     prm.add_parameter(
       "Softening length",
       softening_length,
@@ -139,5 +148,28 @@ namespace Waker
   {
     const auto strength = undrained_strength();
     return strength && strength->find("vertical_stress") != std::string::npos;
+  }
+
+
+  unsigned int
+  material_below_line(const std::vector<MaterialParameters> &materials,
+                      const unsigned int                     number)
+  {
+    const std::string name = tidy(materials[number].below_line);
+    for (unsigned int m = 0; m < materials.size(); ++m)
+      if (!name.empty() && materials[m].name == name)
+        return m;
+    return number;
+  }
+
+
+  double
+  unit_weight_below_line(const std::vector<MaterialParameters> &materials,
+                         const unsigned int                     number)
+  {
+    const MaterialParameters &below =
+      materials[material_below_line(materials, number)];
+    return below.saturated_unit_weight > 0. ? below.saturated_unit_weight
+                                            : below.unit_weight;
   }
 } // namespace Waker

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/expression_pattern.h>
+#include <waker/base/text.h>
 #include <waker/case/load_programmes.h>
 #include <waker/loads/water_level.h>
 #include <waker/mechanics/time_scheme.h>
@@ -64,6 +65,11 @@ namespace Waker
                           name_of(m.von_mises.strength.from),
                         warnings);
       for (const MaterialParameters &m : p.materials)
+        warn_unused(!p.pore_water.is_there() && !tidy(m.below_line).empty(),
+                    "Materials/" + m.name + "/Below the line",
+                    "no Pore water/Phreatic line",
+                    warnings);
+      for (const MaterialParameters &m : p.materials)
         warn_unused(!p.pore_water.is_there() && m.saturated_unit_weight != 0.,
                     "Materials/" + m.name + "/Saturated unit weight",
                     "no Pore water/Phreatic line",
@@ -74,6 +80,7 @@ namespace Waker
                                  [](const MaterialParameters &m) {
                                    return m.is_drained() ||
                                           m.strength_follows_stress() ||
+                                          !tidy(m.below_line).empty() ||
                                           m.saturated_unit_weight != 0.;
                                  }),
                   "Pore water/Phreatic line",

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace dealii
 {
@@ -50,6 +51,10 @@ namespace Waker
     double        unit_weight = 15.; // kN/m^3
     /// Of the soil that lies below the phreatic line at t = 0; 0: the same.
     double saturated_unit_weight = 0.; // kN/m^3
+
+    /// Name of the material that it is below the phreatic line at t = 0; empty:
+    /// itself.
+    std::string below_line;
 
     /// l_s (m): width of the band that the softening belongs to; 0: a cell,
     /// whatever its size.
@@ -93,6 +98,16 @@ namespace Waker
     void
     check(const unsigned int dim, const double cell_size) const;
   };
+
+  /// The number of the material that one is below the phreatic line at t = 0.
+  unsigned int
+  material_below_line(const std::vector<MaterialParameters> &materials,
+                      const unsigned int                     number);
+
+  /// Its weight there (kN/m^3), with its water.
+  double
+  unit_weight_below_line(const std::vector<MaterialParameters> &materials,
+                         const unsigned int                     number);
 
   /// @param gravity acceleration (m/s^2) that turns unit weight into density
   /// @param cell_size h (m), of the softening length
