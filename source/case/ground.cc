@@ -19,6 +19,7 @@ namespace Waker
                        p.water.unit_weight,
                        {})
     , water_weight(p.water.unit_weight)
+    , has_gravity(p.gravity.acceleration > 0.)
     , stress_is_known(p.pore_water.is_there() || !p.water.stands())
   {
     // Without gravity nothing weighs anything.
@@ -50,7 +51,7 @@ namespace Waker
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const double line   = water.empty() ? -infinity : water.line().height(x[0]);
-    double       stress = 0., surface = x[1];
+    double       stress = 0., wet_soil = 0.; // length of it
     for (const auto &[layer, stretch] : column)
       {
         const double low = std::max(stretch.low, x[1]);
@@ -59,12 +60,13 @@ namespace Waker
         const double border = std::clamp(line, low, stretch.high);
         stress += unit_weights[layer].above_line * (stretch.high - border) +
                   unit_weights[layer].below_line * (border - low);
-        surface = std::max(surface, stretch.high);
+        wet_soil += border - low;
       }
     if (water.empty())
       return stress;
-    return stress + water_weight * std::max(line - surface, 0.) -
-           water.pressure(x);
+    // Water stands on the soil, and in its gaps.
+    const double open_water = std::max(line - x[1], 0.) - wet_soil;
+    return stress + water_weight * open_water - water.pressure(x);
   }
 
 
@@ -88,6 +90,11 @@ namespace Waker
   Ground<dim>::check(const PlaceExpression<dim> &expression,
                      const std::string          &path) const
   {
+    if (expression.asks_for_stress() && !has_gravity)
+      throw UserError(path,
+                      "asks for the vertical stress (\"" + expression.text() +
+                        "\"), and Gravity/Acceleration is 0",
+                      "a strength without it, or gravity");
     if (expression.asks_for_stress() && !stress_is_known)
       throw UserError(path,
                       "asks for the effective vertical stress (\"" +

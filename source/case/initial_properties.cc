@@ -8,6 +8,12 @@
 
 namespace Waker
 {
+  namespace
+  {
+    constexpr double round_off = 1e-9; // kPa
+  }
+
+
   template <int dim>
   InitialProperties<dim>::InitialProperties(const Materials   &materials,
                                             const Ground<dim> &ground)
@@ -74,17 +80,37 @@ namespace Waker
               continue;
             const Point<dim>         &x      = points.initial_position[p];
             const std::vector<double> values = at(m, x, layers[p]);
+            const auto                refuse = [&](const unsigned int v,
+                                    const std::string &allowed) {
+              const Property     &property = list[v];
+              const InitialValue &value = property.variable.initial_value;
+              std::ostringstream  what;
+              if (value.varies())
+                what << "\"" << value.expression << "\" ";
+              what << "is " << values[v] << " at the point " << place_text(x)
+                   << " m";
+              if (property.expression && property.expression->asks_for_stress())
+                {
+                  const InGround place = ground->at(x, layers[p]);
+                  what << ", where vertical_stress is " << place.vertical_stress
+                       << " and daily_vertical_stress "
+                       << place.daily_vertical_stress << " kPa";
+                }
+              throw UserError(value.path, what.str(), allowed);
+            };
             if (const auto problem = (*materials)[m]->initial_problem(values))
-              {
-                const auto &[v, allowed]  = *problem;
-                const InitialValue &value = list[v].variable.initial_value;
-                std::ostringstream  what;
-                if (value.varies())
-                  what << "\"" << value.expression << "\" ";
-                what << "is " << values[v] << " at the point " << place_text(x)
-                     << " m";
-                throw UserError(value.path, what.str(), allowed);
-              }
+              refuse(problem->first, problem->second);
+            // Soil that its water carries has no strength to speak of.
+            for (unsigned int v = 0; v < values.size(); ++v)
+              if (list[v].expression && list[v].expression->asks_for_stress())
+                {
+                  const InGround place = ground->at(x, layers[p]);
+                  if (std::min(place.vertical_stress,
+                               place.daily_vertical_stress) < -round_off)
+                    refuse(v,
+                           "soil that is heavy enough not to float up "
+                           "(Saturated unit weight)");
+                }
             for (unsigned int v = 0; v < values.size(); ++v)
               points.scalar(list[v].variable.name)[p] = values[v];
           }

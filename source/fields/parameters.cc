@@ -30,7 +30,8 @@ namespace Waker
       "Mean",
       mean,
       "Mean (kPa, degrees): a number, or an expression of x, y, z, "
-      "depth, depth_in_layer (m; see Materials/<name>/Initial "
+      "depth, depth_in_layer (m), vertical_stress, "
+      "daily_vertical_stress (kPa; see Materials/<name>/Initial "
       "strength), for example \"5 + 1.5*depth\". Empty: the "
       "material's own value.",
       ExpressionPattern());

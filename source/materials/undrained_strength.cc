@@ -9,20 +9,20 @@
 #include <waker/materials/undrained_strength.h>
 
 #include <cmath>
-#include <sstream>
 
 namespace Waker
 {
   namespace
   {
-    /// With all digits, in parentheses: a part of an expression.
+    /// What an expression has room for.
+    constexpr unsigned int most_pairs = 25;
+
+
+    /// With all digits: a part of an expression.
     std::string
     exact(const double number)
     {
-      std::ostringstream text;
-      text.precision(17);
-      text << "(" << number << ")";
-      return text.str();
+      return number < 0. ? "(" + in_digits(number) + ")" : in_digits(number);
     }
   } // namespace
 
@@ -77,7 +77,6 @@ namespace Waker
         case StrengthFrom::place:
           return;
         case StrengthFrom::shansep:
-          require_positive(path + "Strength ratio", ratio);
           if (!(exponent >= 0. && exponent <= 1.))
             throw UserError(path + "Strength exponent",
                             "is " + in_digits(exponent),
@@ -175,7 +174,8 @@ namespace Waker
   UndrainedStrengthParameters::entries(const std::string &path) const
   {
     const std::string allowed =
-      "two pairs or more, \"stress: strength, ...\" (kPa), stresses ascending "
+      "2 to " + std::to_string(most_pairs) +
+      " pairs, \"stress: strength, ...\" (kPa), stresses ascending "
       "from 0 or more, strengths at least 0";
     const auto refuse = [&](const std::string &problem) {
       throw UserError(path + "Strength table", problem, allowed);
@@ -196,6 +196,13 @@ namespace Waker
                  in_digits(list.back().first) + " kPa");
         list.emplace_back(stress, strength);
       }
+    for (std::size_t i = 1; i < list.size(); ++i)
+      if (!std::isfinite((list[i].second - list[i - 1].second) /
+                         (list[i].first - list[i - 1].first)))
+        refuse("is too steep at the stress " + in_digits(list[i].first) +
+               " kPa");
+    if (list.size() > most_pairs)
+      refuse("has " + counted(list.size(), "pair"));
     if (list.size() < 2)
       refuse("has " + counted(list.size(), "pair"));
     return list;

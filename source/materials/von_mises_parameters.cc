@@ -72,6 +72,8 @@ namespace Waker
                                      const LinearElasticParameters &elastic,
                                      const double softening_scale) const
   {
+    if (strength.from == StrengthFrom::shansep)
+      require_positive(path + "Strength ratio", strength.ratio);
     // Expressions are read where the points are.
     const std::optional<double> initial =
       plain_number(strength_expression(path));

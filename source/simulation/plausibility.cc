@@ -53,6 +53,7 @@ namespace Waker
           const std::string path = "Materials/" + materials[m].name + "/";
           for (const double value : {least, largest})
             check_strength(path,
+                           materials[m].von_mises.strength.name_of_parameter(),
                            value,
                            materials[m].elastic.youngs_modulus,
                            ranges);
@@ -66,17 +67,31 @@ namespace Waker
     check_line(const Case<dim> &the_case, std::vector<std::string> &warnings)
     {
       const Parameters &p      = the_case.parameters;
-      bool              is_wet = p.water.stands();
+      bool              is_wet = false;
       for (const TractionParameters &traction : p.tractions)
         is_wet = is_wet || traction.kind == TractionKind::hydrostatic;
-      if (the_case.pore_water.empty() || is_wet)
-        return;
       const MaterialPoints<dim> &points = the_case.initial_points;
-      double                     most = 0., at = 0.;
+      if (the_case.pore_water.empty() || is_wet || points.n_points() == 0)
+        return;
+      // Where water stands it may: up to the crest.
+      const Point<dim> &crest =
+        *std::max_element(points.initial_position.begin(),
+                          points.initial_position.end(),
+                          [](const Point<dim> &a, const Point<dim> &b) {
+                            return a[1] < b[1];
+                          });
+      const auto stands_at = [&](const double x) {
+        return p.water.stands() &&
+               (p.water.side == WaterSide::left ? x <= crest[0]
+                                                : x >= crest[0]);
+      };
+      double most = 0., at = 0.;
       for (std::size_t q = 0; q < points.n_points(); ++q)
         {
-          const Point<dim> &x      = points.initial_position[q];
-          const double      ground = x[1] + the_case.ground.depths()
+          const Point<dim> &x = points.initial_position[q];
+          if (stands_at(x[0]))
+            continue;
+          const double ground = x[1] + the_case.ground.depths()
                                          .at(x, the_case.layers_of_points[q])
                                          .below_surface;
           const double above = the_case.pore_water.line().height(x[0]) - ground;

@@ -40,12 +40,12 @@ namespace Waker
   /// The strength of a soil, and its stiffness as a multiple of it.
   inline void
   check_strength(const std::string &path,
+                 const std::string &name,
                  const double       strength,
                  const double       youngs_modulus,
                  Ranges            &ranges)
   {
-    ranges.check(
-      path + "Initial strength", strength, 0.5, 2000., " kPa", "soils have");
+    ranges.check(path + name, strength, 0.5, 2000., " kPa", "soils have");
     ranges.check(path + "Young's modulus by strength",
                  youngs_modulus / strength,
                  20.,

@@ -57,13 +57,28 @@ namespace Waker
                     "Side = none",
                     warnings);
       for (const MaterialParameters &m : p.materials)
-        if (m.model == MaterialModel::von_mises_softening)
+        {
+          const std::string  path = "Materials/" + m.name + "/";
+          const StrengthFrom from = m.von_mises.strength.from;
+          const std::string  choice =
+            std::string("Strength from = ") + name_of(from);
+          if (m.model != MaterialModel::von_mises_softening)
+            {
+              warn_unused(from != StrengthFrom::place,
+                          path + "Strength from",
+                          std::string("Model = ") + name_of(m.model),
+                          warnings);
+              continue;
+            }
           for (const std::string &name : m.von_mises.strength.unused())
-            warn_unused(true,
-                        "Materials/" + m.name + "/" + name,
-                        std::string("Strength from = ") +
-                          name_of(m.von_mises.strength.from),
-                        warnings);
+            warn_unused(true, path + name, choice, warnings);
+          warn_unused(from != StrengthFrom::place &&
+                        m.von_mises.initial_strength !=
+                          VonMisesSofteningParameters().initial_strength,
+                      path + "Initial strength",
+                      choice,
+                      warnings);
+        }
       for (const MaterialParameters &m : p.materials)
         warn_unused(!p.pore_water.is_there() && !tidy(m.below_line).empty(),
                     "Materials/" + m.name + "/Below the line",
@@ -372,7 +387,11 @@ namespace Waker
       if (!undrained)
         return;
       if (const auto strength = plain_number(*undrained))
-        check_strength(path, *strength, m.elastic.youngs_modulus, ranges);
+        check_strength(path,
+                       m.von_mises.strength.name_of_parameter(),
+                       *strength,
+                       m.elastic.youngs_modulus,
+                       ranges);
     }
   } // namespace
 

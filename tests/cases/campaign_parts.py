@@ -8,6 +8,7 @@ usage: campaign_parts.py WAKER SOURCE_DIRECTORY [REALISATIONS]
 """
 import json
 import os
+import signal
 import sys
 import tempfile
 
@@ -27,9 +28,12 @@ def main():
         whole = campaign("whole")
         process = whole.start()
         check(whole.wait_for_records(process, 2), "it runs for a while")
+        # Held, so that it is still at it when status has an answer.
+        os.killpg(process.pid, signal.SIGSTOP)
         text = whole.call("status")
         check(f"of {n}" in text and process.poll() is None,
               "status while it runs", text.strip().split("\n")[0])
+        os.killpg(process.pid, signal.SIGCONT)
         finish(process)
         check.once_each("one process", whole, n)
         check(f"{n} of {n}" in whole.call("status"), "status afterwards")

@@ -143,6 +143,24 @@ end
   }
 
 
+  // Clay on peat of 1.5 m with a gap of half a metre between them, full of
+  // water; the line above it.
+  TEST(Ground, water_in_gaps_has_its_weight)
+  {
+    const Case<2> level(*ground({"Soil profile/below/Polygon=0,0; 2,0; 2,1.5; "
+                                 "0,1.5",
+                                 "Gravity/Initial stress=false"}),
+                        MPI_COMM_SELF);
+    EXPECT_NEAR(level.ground.at({0.75, 1.25}, 1).vertical_stress,
+                14. + 15. + 0.5 * gamma_w + 0.25 * 11. - 1.75 * gamma_w,
+                1e-12);
+    // In the clay it is not over the place.
+    EXPECT_NEAR(level.ground.at({0.75, 2.25}, 0).vertical_stress,
+                14. + 0.75 * (15. - gamma_w),
+                1e-12);
+  }
+
+
   TEST(Ground, without_gravity_nothing_weighs_anything)
   {
     const Case<2> level(*ground({"Pore water/Phreatic line=0,-1; 2,-1",
@@ -304,7 +322,7 @@ end
     EXPECT_USER_ERROR(ground({"Materials/clay/Below the line=peat",
                               "Inflow/Names=in",
                               "Inflow/in/Material=clay",
-                              "Inflow/in/Region=left"}),
+                              "Inflow/in/Face=left"}),
                       path,
                       "flows in");
   }
@@ -317,6 +335,7 @@ end
       std::vector<std::string> all = {"Materials/Names=clay, peat, wet clay",
                                       "Materials/clay/Model=Mohr-Coulomb",
                                       "Materials/clay/Below the line=wet clay",
+                                      "Materials/wet clay/Unit weight=16",
                                       "Water/Side=left",
                                       "Water/Level=3",
                                       "Surface/Method=contour"};
@@ -330,7 +349,13 @@ end
          {std::vector<std::string>{},
           std::vector<std::string>{soil, "Pore water/Largest suction=5"},
           std::vector<std::string>{soil, "Materials/peat/Model=Mohr-Coulomb"}})
-      EXPECT_USER_ERROR(with_water(more), "Water/Minimum support", "drained");
+      {
+        std::vector<std::string> settings = more;
+        settings.push_back("Water/Minimum support=0.01");
+        EXPECT_USER_ERROR(with_water(settings),
+                          "--set Water/Minimum support",
+                          "drained");
+      }
   }
 
 
@@ -372,7 +397,29 @@ end
                                             "0,4; 2,4"})),
                               MPI_COMM_SELF),
                       peat + "Strength from",
-                      "nan");
+                      "where vertical_stress is -");
+    // In a table and in an expression, too.
+    EXPECT_USER_ERROR(Case<2>(*ground({"Materials/clay/Unit weight=5",
+                                       "Materials/clay/Saturated unit weight=5",
+                                       "Pore water/Phreatic line=0,4; 2,4",
+                                       "Materials/clay/Initial strength=13 + "
+                                       "vertical_stress/10"}),
+                              MPI_COMM_SELF),
+                      "Materials/clay/Initial strength",
+                      "where vertical_stress is ");
+    EXPECT_USER_ERROR(Case<2>(*ground(with({"Gravity/Acceleration=0"})),
+                              MPI_COMM_SELF),
+                      peat + "Strength from",
+                      "Gravity/Acceleration is 0");
+    std::string many;
+    for (unsigned int i = 0; i < 26; ++i)
+      many += (i > 0 ? ", " : "") + std::to_string(i) +
+              ".123456: " + std::to_string(i) + ".987654";
+    EXPECT_USER_ERROR(ground({peat + "Strength table=" + many}),
+                      set + peat + "Strength table",
+                      "26 pairs");
+    EXPECT_NO_THROW(
+      ground({peat + "Strength table=" + many.substr(0, many.rfind(','))}));
     EXPECT_USER_ERROR(ground({"Pore water/Daily phreatic line=0,3; 1,3"}),
                       set + "Pore water/Daily phreatic line",
                       "to 1 m");
@@ -399,6 +446,11 @@ end
       return false;
     };
     EXPECT_TRUE(said({"Materials/peat/POP=5"}, "POP is not used"));
+    EXPECT_TRUE(said(with({"Materials/peat/Initial strength=9"}),
+                     "Initial strength is not used"));
+    EXPECT_TRUE(said({"Materials/clay/Model=Mohr-Coulomb",
+                      "Materials/clay/Strength from=SHANSEP"},
+                     "clay/Strength from is not used"));
     EXPECT_TRUE(said({"Materials/peat/Strength table=0: 1, 2: 3"},
                      "Strength table is not used"));
     EXPECT_FALSE(said(shansep, "not used"));

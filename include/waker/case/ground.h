@@ -44,8 +44,8 @@ namespace Waker
 
     /// Is an expression one that the ground can answer?
     /// @param path of the parameter
-    /// @throws UserError path: it asks for the vertical stress, and water
-    /// stands outside but there is no phreatic line
+    /// @throws UserError path: it asks for the vertical stress, and there is no
+    /// gravity; or water stands outside, and there is no phreatic line
     void
     check(const PlaceExpression<dim> &expression,
           const std::string          &path) const;
@@ -70,6 +70,7 @@ namespace Waker
     const PoreWater<dim>    *pore_water;
     PoreWater<dim>           daily_pore_water;
     double                   water_weight; // kN/m^3
+    bool                     has_gravity;
     bool                     stress_is_known;
   };
 } // namespace Waker
