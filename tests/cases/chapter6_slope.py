@@ -51,6 +51,7 @@ def settles(work, checks):
     checks.equal("points of the crest", int(crest.sum()), 2 * 16 * 48)
     checks.between("settlement of the crest by the last hundredth, mean",
                    settlement.mean(), 0.2, 2.5)
+    checks.between("  as before", settlement.mean(), 2.27, 2.30)
     checks.below("  largest", settlement.max(), 5)
 
 
@@ -80,6 +81,8 @@ def slides(work, checks):
     checks.above("moved in the middle over moved at the ends",
                  moved[np.abs(z - 4) < 0.5].mean()
                  / moved[np.abs(z - 4) > 3.75].mean(), 1.5)
+    checks.between("  as before", moved[np.abs(z - 4) < 0.5].mean()
+                   / moved[np.abs(z - 4) > 3.75].mean(), 2.7, 2.8)
 
 
 def dyke(work, checks):
@@ -92,6 +95,19 @@ def dyke(work, checks):
     crest = points["position"][:, 1] > 2.5
     z = points["position"][crest, 2]
     checks.above("no crest above 2.5 m in the dip", np.abs(z - 4).min(), 0.2)
+    # Its highest points are half a point below the table, all along it.
+    x, y, z = points["position"].T
+    table = np.genfromtxt(work.source + "/parameters/chapter6/dyke_3d.csv",
+                          delimiter=",", comments="#", skip_header=3)
+    middle = table[table[:, 0] == 6]
+    size = np.cbrt(points["volume"].max())
+    layer = np.floor(z / size).astype(int)
+    away = [y[(layer == k) & (x > 5.25) & (x < 6.75)].max() + size / 2
+            - np.interp((k + 0.5) * size, middle[:, 1], middle[:, 2])
+            for k in np.unique(layer)]
+    checks.above("places along the crest", len(away), 20)
+    checks.below("  the crest less the table, largest (points)",
+                 np.abs(away).max() / size, 0.5)
 
 
 def main():
