@@ -8,6 +8,7 @@
 #include <waker/case/scene.h>
 #include <waker/case/sizes.h>
 #include <waker/case/soil.h>
+#include <waker/loads/water_level.h>
 #include <waker/mapping/stencil.h>
 #include <waker/measures/dyke_geometry.h>
 #include <waker/mechanics/deformation.h>
@@ -120,7 +121,8 @@ namespace Waker
     , programmes(p)
     , pore_water(p.pore_water,
                  p.water.unit_weight,
-                 of_effective_stress(materials))
+                 of_effective_stress(materials),
+                 WaterLevel(p.water).at(0.))
     , ground(grid, p, pore_water)
     , full_node_mass(largest_density(materials, p) *
                      std::pow(p.grid.cell_size, dim))
@@ -137,7 +139,7 @@ namespace Waker
     declare_material_variables(materials, initial_points);
     InitialProperties<dim>(materials, ground)
       .set(layers_of_points, initial_points);
-    pore_water.record(initial_points);
+    pore_water.record(initial_points, WaterLevel(p.water).at(0.));
     prepare_domains(p.mapping.domains, initial_points);
     programmes.prepare(p, initial_points);
     check_run_sizes(run_sizes(*this), p);

@@ -3,6 +3,7 @@
 #include <waker/base/numbers.h>
 #include <waker/case/ground.h>
 #include <waker/case/parameters.h>
+#include <waker/loads/water_level.h>
 
 #include <algorithm>
 #include <limits>
@@ -17,7 +18,8 @@ namespace Waker
     , pore_water(&pore_water)
     , daily_pore_water(p.pore_water.of_the_daily_water(),
                        p.water.unit_weight,
-                       {})
+                       {},
+                       WaterLevel(p.water).at(0.))
     , water_weight(p.water.unit_weight)
     , has_gravity(p.gravity.acceleration > 0.)
     , stress_is_known(p.pore_water.is_there() || !p.water.stands())

@@ -147,7 +147,18 @@ namespace Waker
                           ", but there is drained soil with water in it, "
                           "which would boil",
                         "0");
-    check_reach(p, p.pore_water.line(), "Pore water/Phreatic line");
-    check_reach(p, p.pore_water.daily_line(), "Pore water/Daily phreatic line");
+    if (p.pore_water.follows_water() && !p.water.stands())
+      throw UserError("Pore water/Lines by level",
+                      "is there, and no water stands outside",
+                      "a Phreatic line, or Water/Side = left or right");
+    const PhreaticLines lines = p.pore_water.lines();
+    const PhreaticLines daily = p.pore_water.of_the_daily_water().lines();
+    for (const PhreaticLine &line : lines.all())
+      check_reach(p,
+                  line,
+                  p.pore_water.follows_water() ? "Pore water/Lines by level"
+                                               : "Pore water/Phreatic line");
+    for (const PhreaticLine &line : daily.all())
+      check_reach(p, line, "Pore water/Daily phreatic line");
   }
 } // namespace Waker

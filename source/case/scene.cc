@@ -100,7 +100,8 @@ namespace Waker
   void
   Scene<dim>::set_loads(State<dim> &state)
   {
-    the_case->pore_water.record(state.points);
+    // What a load programme adds is known from the step before.
+    the_case->pore_water.record(state.points, water.level().at(state.time));
     do_at_step(state.step,
                [&]() { add_up_loads(state.points, state.time, state.loads); });
     tractions.record(state.time, state.tractions);

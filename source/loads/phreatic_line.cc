@@ -5,6 +5,7 @@
 #include <waker/loads/phreatic_line.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace Waker
 {
@@ -61,5 +62,81 @@ namespace Waker
     const auto  &b = *next, &a = *(next - 1);
     const double share = (x - a[0]) / (b[0] - a[0]);
     return a[1] + share * (b[1] - a[1]);
+  }
+
+
+  PhreaticLine
+  PhreaticLine::between(const PhreaticLine &a,
+                        const PhreaticLine &b,
+                        const double        share)
+  {
+    std::vector<double> places;
+    for (const PhreaticLine *const line : {&a, &b})
+      for (const auto &corner : line->corners)
+        places.push_back(corner[0]);
+    std::sort(places.begin(), places.end());
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+    PhreaticLine line;
+    for (const double x : places)
+      line.corners.push_back(
+        {{x, (1. - share) * a.height(x) + share * b.height(x)}});
+    return line;
+  }
+
+
+  PhreaticLines::PhreaticLines(const PhreaticLine &line)
+    : lines(line.empty() ? 0 : 1, line)
+  {}
+
+
+  PhreaticLines::PhreaticLines(const std::string &text, const std::string &path)
+  {
+    const std::string allowed =
+      "two lines or more, \"level: x, y; x, y | level: ...\" (m), levels "
+      "ascending";
+    for (const std::string &item : split(text, '|'))
+      {
+        const std::size_t colon = item.find(':');
+        double            level = 0.;
+        if (colon == std::string::npos ||
+            !read_number(item.substr(0, colon), level) || !std::isfinite(level))
+          throw UserError(path,
+                          in_quotes(item) + " does not begin with a level",
+                          allowed);
+        if (!levels.empty() && !(level > levels.back()))
+          throw UserError(path,
+                          "has the level " + in_digits(level) + " m after " +
+                            in_digits(levels.back()) + " m",
+                          allowed);
+        const PhreaticLine line(item.substr(colon + 1), path);
+        if (line.empty())
+          throw UserError(path,
+                          "has no corners at the level " + in_digits(level) +
+                            " m",
+                          allowed);
+        levels.push_back(level);
+        lines.push_back(line);
+      }
+    if (lines.size() < 2)
+      throw UserError(path, "has " + counted(lines.size(), "line"), allowed);
+  }
+
+
+  PhreaticLine
+  PhreaticLines::at(const double level) const
+  {
+    if (lines.empty())
+      return {};
+    if (levels.empty() || level <= levels.front())
+      return lines.front();
+    if (level >= levels.back())
+      return lines.back();
+    std::size_t i = 1;
+    while (level > levels[i])
+      ++i;
+    return PhreaticLine::between(lines[i - 1],
+                                 lines[i],
+                                 (level - levels[i - 1]) /
+                                   (levels[i] - levels[i - 1]));
   }
 } // namespace Waker

@@ -47,6 +47,16 @@ namespace Waker
                       "at least 0: it grows with the height above the line "
                       "like the pressure below it. 0: none.",
                       Patterns::Double(0.));
+    prm.add_parameter(
+      "Lines by level",
+      lines_by_level,
+      "Instead of Phreatic line: lines that follow the water outside, "
+      "\"level: x, y; x, y; ... | level: ...\", two or more, levels (m) "
+      "ascending. Between two levels the height of the line is "
+      "interpolated at each x; below the first it is the first line, above the "
+      "last the last. It follows at once, step by step. Weights, materials "
+      "and strengths stay those of the line at the start.",
+      Patterns::Anything());
     add_choice(prm,
                "Pressure of",
                pressure_of,
@@ -59,22 +69,24 @@ namespace Waker
   bool
   PoreWaterParameters::is_there() const
   {
-    return !tidy(phreatic_line).empty();
+    return !tidy(phreatic_line).empty() || follows_water();
   }
 
 
-  PhreaticLine
-  PoreWaterParameters::line() const
+  bool
+  PoreWaterParameters::follows_water() const
   {
-    return PhreaticLine(phreatic_line, "Pore water/Phreatic line");
+    return !tidy(lines_by_level).empty();
   }
 
 
-  PhreaticLine
-  PoreWaterParameters::daily_line() const
+  PhreaticLines
+  PoreWaterParameters::lines() const
   {
-    return PhreaticLine(of_the_daily_water().phreatic_line,
-                        "Pore water/Daily phreatic line");
+    if (follows_water())
+      return PhreaticLines(lines_by_level, "Pore water/Lines by level");
+    return PhreaticLines(
+      PhreaticLine(phreatic_line, "Pore water/Phreatic line"));
   }
 
 
@@ -83,7 +95,10 @@ namespace Waker
   {
     PoreWaterParameters daily = *this;
     if (!tidy(daily_phreatic_line).empty())
-      daily.phreatic_line = daily_phreatic_line;
+      {
+        daily.phreatic_line  = daily_phreatic_line;
+        daily.lines_by_level = "";
+      }
     return daily;
   }
 
@@ -95,16 +110,22 @@ namespace Waker
       throw UserError("Pore water/Largest suction",
                       "is " + in_digits(largest_suction) + " kPa",
                       "at least 0");
-    line();
-    daily_line();
+    if (follows_water() && !tidy(phreatic_line).empty())
+      throw UserError("Pore water/Lines by level",
+                      "is there, and so is Phreatic line",
+                      "one of them");
+    lines();
+    PhreaticLine(daily_phreatic_line, "Pore water/Daily phreatic line");
   }
 
 
   template <int dim>
   PoreWater<dim>::PoreWater(const PoreWaterParameters &parameters,
                             const double               unit_weight,
-                            const std::vector<bool>   &of_effective_stress)
-    : phreatic_line(parameters.line())
+                            const std::vector<bool>   &of_effective_stress,
+                            const double               level)
+    : lines(parameters.lines())
+    , line_at_start(lines.at(level))
     , unit_weight(unit_weight)
     , largest_suction(parameters.largest_suction)
     , pressure_of(parameters.pressure_of)
@@ -114,22 +135,31 @@ namespace Waker
 
   template <int dim>
   double
+  PoreWater<dim>::pressure(const PhreaticLine &line, const Point<dim> &x) const
+  {
+    return std::max(unit_weight * (line.height(x[0]) - x[1]), -largest_suction);
+  }
+
+
+  template <int dim>
+  double
   PoreWater<dim>::pressure(const Point<dim> &x) const
   {
-    return std::max(unit_weight * (phreatic_line.height(x[0]) - x[1]),
-                    -largest_suction);
+    return pressure(line_at_start, x);
   }
 
 
   template <int dim>
   void
-  PoreWater<dim>::record(MaterialPoints<dim> &points) const
+  PoreWater<dim>::record(MaterialPoints<dim> &points, const double level) const
   {
     if (empty())
       return;
+    const PhreaticLine   line   = lines.at(level);
     std::vector<double> &values = points.scalar(scalar_name);
     for (std::size_t p = 0; p < points.n_points(); ++p)
-      values[p] = pressure(pressure_of == PorePressureOf::place
+      values[p] = pressure(line,
+                           pressure_of == PorePressureOf::place
                              ? points.position[p]
                              : points.initial_position[p]);
   }

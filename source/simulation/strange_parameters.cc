@@ -161,9 +161,10 @@ namespace Waker
                     [](const MaterialParameters &m) { return m.is_drained(); });
       if (p.pore_water.is_there())
         {
-          const PhreaticLine line = p.pore_water.line();
-          const double       left = line.height(line.begin()),
-                       right      = line.height(line.end());
+          const PhreaticLine line =
+            p.pore_water.lines().at(WaterLevel(p.water).at(0.));
+          const double left  = line.height(line.begin()),
+                       right = line.height(line.end());
           const auto check =
             [&](const std::string &path, const double level, const double end) {
               std::ostringstream text;
@@ -174,7 +175,8 @@ namespace Waker
             };
           if (p.water.stands())
             check("Water/Level",
-                  p.water.level,
+                  p.pore_water.follows_water() ? WaterLevel(p.water).at(0.)
+                                               : p.water.level,
                   p.water.side == WaterSide::right ? right : left);
           for (const TractionParameters &t : p.tractions)
             if (const auto level = plain_number(t.level);
@@ -189,7 +191,7 @@ namespace Waker
           for (const TractionParameters &t : p.tractions)
             moves = moves || (t.kind == TractionKind::hydrostatic &&
                               !plain_number(t.level));
-          if (is_drained && moves)
+          if (is_drained && moves && !p.pore_water.follows_water())
             warnings.push_back(
               "Pore water/Phreatic line stays as it is, but the water outside "
               "moves: what it adds presses the grains together, as on a "

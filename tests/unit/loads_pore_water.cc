@@ -99,6 +99,60 @@ end
   }
 
 
+  TEST(Loads, a_phreatic_line_follows_the_water_outside)
+  {
+    PoreWaterParameters p;
+    p.lines_by_level = "1: 0, 1; 10, 0 | 3: 0, 3; 4, 3; 10, 1 | 4: 0, 4; 10, 1";
+    const PhreaticLines lines = p.lines();
+    ASSERT_EQ(lines.all().size(), 3u);
+    const auto height = [&](const double level, const double x) {
+      return lines.at(level).height(x);
+    };
+    for (const double x : {0., 2., 4., 7., 10., 12.})
+      {
+        const double at_1 = std::max(1. - x / 10., 0.);
+        const double at_3 = x < 4. ? 3. : std::max(3. - (x - 4.) / 3., 1.);
+        const double at_4 = std::max(4. - 0.3 * x, 1.);
+        EXPECT_NEAR(height(-5., x), at_1, 1e-14);
+        EXPECT_NEAR(height(1., x), at_1, 1e-14);
+        EXPECT_NEAR(height(1.5, x), 0.75 * at_1 + 0.25 * at_3, 1e-14);
+        EXPECT_NEAR(height(3., x), at_3, 1e-14);
+        EXPECT_NEAR(height(3.75, x), 0.25 * at_3 + 0.75 * at_4, 1e-14);
+        EXPECT_NEAR(height(9., x), at_4, 1e-14);
+      }
+    // The points have the pressure of the level now.
+    const PoreWater<2> water(p, 10., {true}, 3.);
+    EXPECT_NEAR(water.pressure({4., 1.}), 20., 1e-13);
+    MaterialPoints<2> points;
+    points.id               = {0};
+    points.position         = {Point<2>(4., 1.)};
+    points.initial_position = points.position;
+    water.record(points, 2.);
+    EXPECT_NEAR(points.scalar("pore pressure")[0],
+                10. * (0.5 * 0.6 + 0.5 * 3. - 1.),
+                1e-13);
+    water.record(points, 3.);
+    EXPECT_NEAR(points.scalar("pore pressure")[0], 20., 1e-13);
+
+    const std::string path = "Pore water/Lines by level";
+    for (const auto &[text, problem] :
+         std::vector<std::pair<std::string, std::string>>{
+           {"1: 0, 1; 9, 1", "1 line"},
+           {"1: 0, 1; 9, 1 | 0, 2; 9, 2", "does not begin with a level"},
+           {"1: 0, 1; 9, 1 | 1: 0, 2; 9, 2", "1 m after 1 m"},
+           {"1: 0, 1; 9, 1 | nan: 0, 2; 9, 2", "does not begin"},
+           {"1: 0, 1; 9, 1 | 2:", "no corners at the level 2"},
+           {"1: 0, 1; 9, 1 | 2: 0, 2", "1 corner"}})
+      {
+        PoreWaterParameters bad;
+        bad.lines_by_level = text;
+        EXPECT_USER_ERROR(bad.check(), path, problem);
+      }
+    p.phreatic_line = "0, 1; 9, 1";
+    EXPECT_USER_ERROR(p.check(), path, "so is Phreatic line");
+  }
+
+
   TEST(Loads, phreatic_lines_that_are_none)
   {
     const std::string path = "Pore water/Phreatic line";

@@ -32,6 +32,11 @@ namespace Waker
     double
     height(const double x) const;
 
+    /// The line whose height is (1 - share) times that of a and share times
+    /// that of b, everywhere.
+    static PhreaticLine
+    between(const PhreaticLine &a, const PhreaticLine &b, const double share);
+
     /// Where it begins and ends (m).
     double
     begin() const
@@ -47,6 +52,37 @@ namespace Waker
 
   private:
     std::vector<std::array<double, 2>> corners;
+  };
+
+
+  /// Lines by the level of the water outside: between two levels there is a
+  /// line between theirs; below the first level the first, above the last the
+  /// last.
+  class PhreaticLines
+  {
+  public:
+    /// One, at any level, or none.
+    explicit PhreaticLines(const PhreaticLine &line);
+
+    /// @param text "level: x, y; x, y; ... | level: ...", two or more, levels
+    /// (m) ascending
+    /// @param path of the parameter, for the error
+    /// @throws UserError path
+    PhreaticLines(const std::string &text, const std::string &path);
+
+    /// The line when the water stands at this level (m).
+    PhreaticLine
+    at(const double level) const;
+
+    const std::vector<PhreaticLine> &
+    all() const
+    {
+      return lines;
+    }
+
+  private:
+    std::vector<double>       levels; // of the lines; of one alone none
+    std::vector<PhreaticLine> lines;
   };
 } // namespace Waker
 

@@ -2,6 +2,7 @@
 #ifndef waker_loads_pore_water_h
 #define waker_loads_pore_water_h
 
+#include <waker/base/numbers.h>
 #include <waker/loads/phreatic_line.h>
 #include <waker/mapping/weights.h>
 #include <waker/nodes/nodal_vector.h>
@@ -45,6 +46,9 @@ namespace Waker
   {
     /// "x, y; x, y; ...": corners (m), x ascending. Empty: no pore water.
     std::string phreatic_line;
+    /// Instead: "level: corners | level: corners ...", by the level of the
+    /// water outside (m), ascending.
+    std::string lines_by_level;
     /// Likewise, of the days on which the soil consolidated. Empty: the same.
     std::string    daily_phreatic_line;
     double         largest_suction = 0.; // kPa
@@ -53,13 +57,12 @@ namespace Waker
     bool
     is_there() const;
 
-    /// @throws UserError "Pore water/Phreatic line"
-    PhreaticLine
-    line() const;
+    /// @throws UserError "Pore water/Phreatic line", ".../Lines by level"
+    PhreaticLines
+    lines() const;
 
-    /// @throws UserError "Pore water/Daily phreatic line"
-    PhreaticLine
-    daily_line() const;
+    bool
+    follows_water() const;
 
     /// The same with the daily line as the line.
     PoreWaterParameters
@@ -88,30 +91,34 @@ namespace Waker
   public:
     /// @param unit_weight of water (kN/m^3)
     /// @param of_effective_stress is the law of each material one?
+    /// @param level of the water outside at t = 0 (m), if the line follows it
     PoreWater(const PoreWaterParameters &parameters,
               const double               unit_weight,
-              const std::vector<bool>   &of_effective_stress);
+              const std::vector<bool>   &of_effective_stress,
+              const double               level = nan);
 
     bool
     empty() const
     {
-      return phreatic_line.empty();
+      return line_at_start.empty();
     }
 
-    /// u at a place (kPa), negative where there is suction.
+    /// u at a place at t = 0 (kPa), negative where there is suction.
     double
     pressure(const Point<dim> &x) const;
 
+    /// At t = 0.
     const PhreaticLine &
     line() const
     {
-      return phreatic_line;
+      return line_at_start;
     }
 
     /// The points' scalar "pore pressure" (kPa), of all materials; made if it
     /// is new. Does nothing without pore water.
+    /// @param level of the water outside now (m), if the line follows it
     void
-    record(MaterialPoints<dim> &points) const;
+    record(MaterialPoints<dim> &points, const double level = nan) const;
 
     /// force += what the pressure that is recorded does (kN).
     void
@@ -120,7 +127,11 @@ namespace Waker
                      NodalVector               &force) const;
 
   private:
-    PhreaticLine      phreatic_line;
+    double
+    pressure(const PhreaticLine &line, const Point<dim> &x) const;
+
+    PhreaticLines     lines;
+    PhreaticLine      line_at_start;
     double            unit_weight     = 0.;
     double            largest_suction = 0.;
     PorePressureOf    pressure_of     = PorePressureOf::place;
