@@ -39,10 +39,11 @@ namespace Waker
 
   /**
    * Undrained shear strength s_u from effective vertical stress sigma'_v, in
-   * "Materials/<name>" (Ladd & Foott 1974):
-   *   SHANSEP: s_u = S sigma'_v OCR^m,  OCR = (sigma'_v,daily + POP) /
-   * sigma'_v, or a table of s_u by sigma'_v, with straight lines between its
-   * entries and constant beyond them.
+   * "Materials/<name>". SHANSEP (Ladd & Foott 1974):
+   *   s_u = S sigma'_v OCR^m,
+   *   OCR = (sigma'_v,daily + POP) / sigma'_v;
+   * or a table of s_u by sigma'_v, with straight lines between its entries and
+   * constant beyond them.
    */
   struct UndrainedStrengthParameters
   {
