@@ -17,7 +17,8 @@ namespace Waker
     std::string value; // as the user wrote it; empty without a sweep
     /// At which W is measured, m; NaN: there is none.
     double water_level = nan;
-    /// Highest and lowest corner of the drawn profile, m; NaN: not known.
+    /// Crest (drawn_crest()) and lowest corner of the drawn profile, m; NaN:
+    /// not known.
     double              crest_level = nan;
     double              base_level  = nan;
     std::vector<double> scales; // of fluctuation of the first field, m
