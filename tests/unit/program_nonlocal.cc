@@ -91,12 +91,12 @@ namespace program_nonlocal
     expect_error(nonlocal({length + "=0.5", "Grid/Cell size=1.5"}),
                  length,
                  "0.75 m");
-    for (const char *const value : {"-1", "1e308", "nan", "inf"})
+    for (const char *const value : {"-1", "1e+308", "nan", "inf"})
       {
         expect_error(nonlocal({length + "=" + value}), length, value);
         expect_error({length + "=" + value}, length, value); // unused
       }
-    for (const char *const value : {"0.5", "11", "nan", "-2", "1e308"})
+    for (const char *const value : {"0.5", "11", "nan", "-2", "1e+308"})
       {
         const std::string n = clay + "Over-weight";
         expect_error(nonlocal({length + "=0.5", n + "=" + value}), n, value);
