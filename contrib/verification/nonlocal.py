@@ -53,12 +53,13 @@ def factors(work, table):
 
 
 def slides(work, table, states, c=9):
-    """To rest, not to flooding: how far soil gets."""
+    """To 10 s, beyond flooding: how far soil gets."""
     for way, changes in WAYS.items():
         for cell in CELLS:
             run = work.run("run", "chapter5/dyke_weak.prm",
                            {"Grid/Cell size": cell, "Output/Interval": 0.25,
                             "Stop rules/On flooding": "false",
+                            "Time stepping/End time": 10,
                             **measures.strength(c, c / 2.6), **changes})
             start = run["initial_failure_time"]
             points = run.points(start + 1)
