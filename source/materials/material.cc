@@ -93,6 +93,23 @@ namespace Waker
 
 
   void
+  Material::elastic_energy(const Block &block,
+                           double (&energy)[block_size]) const
+  {
+    const double bulk = 0.5 / bulk_modulus(), shear = 0.25 / shear_modulus();
+    const double(*const s)[block_size] = block.stress;
+    for (unsigned int l = 0; l < block_size; ++l)
+      {
+        double square = 0.;
+        for (unsigned int a = 0; a < 6; ++a)
+          square += (a < 3 ? 1. : 2.) * s[a][l] * s[a][l];
+        const double p = (s[0][l] + s[1][l] + s[2][l]) / 3.;
+        energy[l]      = p * p * bulk + (square - 3. * p * p) * shear;
+      }
+  }
+
+
+  void
   Material::tangent_block(const unsigned int  n_points,
                           Block              &block,
                           const unsigned int  n_components,

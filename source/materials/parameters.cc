@@ -13,6 +13,49 @@
 
 namespace Waker
 {
+  namespace
+  {
+    void
+    check_pore_fluid(const MaterialParameters &m)
+    {
+      constexpr double  largest   = 0.4999; // what steps can be solved with
+      const std::string path      = "Materials/" + m.name + "/";
+      const double      stiffness = m.pore_fluid_stiffness;
+      if (stiffness == 0.)
+        return;
+      const double of_soil =
+        m.elastic.youngs_modulus / (3. * (1. - 2. * m.elastic.poissons_ratio));
+      // Of that Poisson's ratio, undrained.
+      const double most = 2. * m.elastic.shear_modulus() * (1. + largest) /
+                            (3. * (1. - 2. * largest)) -
+                          of_soil;
+      if (!(stiffness > 0. && stiffness <= most))
+        throw UserError(path + "Pore fluid stiffness",
+                        "is " + in_digits(stiffness) + " kPa",
+                        "0; or at most " + in_digits(most) +
+                          " kPa, with which the soil has an undrained "
+                          "Poisson's ratio of " +
+                          in_digits(largest));
+      if (!m.is_drained())
+        throw UserError(path + "Pore fluid stiffness",
+                        "is " + in_digits(stiffness) + " kPa, but Model is " +
+                          name_of(m.model) + ", a law of total stress",
+                        "0, or a law of effective stress: Mohr-Coulomb");
+    }
+  } // namespace
+
+
+  double
+  MaterialParameters::undrained_poissons_ratio() const
+  {
+    const double G = elastic.shear_modulus();
+    const double K =
+      elastic.youngs_modulus / (3. * (1. - 2. * elastic.poissons_ratio)) +
+      pore_fluid_stiffness;
+    return (3. * K - 2. * G) / (2. * (3. * K + G));
+  }
+
+
   void
   MaterialParameters::add_parameters(ParameterHandler &prm)
   {
@@ -52,6 +95,14 @@ namespace Waker
                "strain that softens a point is that of its surroundings, see "
                "Averaging length. For new work nonlocal is recommended, with "
                "cells of at most the averaging length; the thesis has none.");
+    prm.add_parameter(
+      "Pore fluid stiffness",
+      pore_fluid_stiffness,
+      "Mohr-Coulomb: bulk stiffness of the water in the pores of soil that does "
+      "not drain (kPa), that of water over the porosity, at least 0: "
+      "volumetric strain makes excess pore pressure, and effective parameters "
+      "an undrained soil. It drains in the gravity step. 0: it drains.",
+      Patterns::Double(0.));
     prm.add_parameter(
       "Softening length",
       softening_length,
@@ -93,6 +144,7 @@ namespace Waker
                       "a width (m) above 0; 0: softening by the cells");
     nonlocal.check(path);
     elastic.check(path);
+    check_pore_fluid(*this);
     von_mises.check_expressions(path, dim); // whatever the model
     mohr_coulomb.check_expressions(path, dim);
     const double scale = softening_measure(cell_size).of_uniform_strain();

@@ -141,14 +141,24 @@ namespace Waker
   }
 
 
+  namespace
+  {
+    /// Of a wave of compression (kPa), with the water in the pores.
+    double
+    constrained_modulus(const Material &material)
+    {
+      return material.bulk_modulus() + material.pore_fluid_stiffness() +
+             4. / 3. * material.shear_modulus();
+    }
+  } // namespace
+
+
   double
   wave_speed(const Materials &materials)
   {
     double fastest = 0.;
     for (const auto &m : materials)
-      fastest = std::max(fastest,
-                         (m->bulk_modulus() + 4. / 3. * m->shear_modulus()) /
-                           m->density());
+      fastest = std::max(fastest, constrained_modulus(*m) / m->density());
     return std::sqrt(fastest);
   }
 
@@ -158,8 +168,7 @@ namespace Waker
   {
     double stiffest = 0.;
     for (const auto &m : materials)
-      stiffest =
-        std::max(stiffest, m->bulk_modulus() + 4. / 3. * m->shear_modulus());
+      stiffest = std::max(stiffest, constrained_modulus(*m));
     return stiffest;
   }
 

@@ -79,6 +79,10 @@ namespace Waker
     /// itself.
     std::string below_line;
 
+    /// K_f (kPa) of the water in the pores of soil that does not drain; 0: it
+    /// drains. See UndrainedSoil.
+    double pore_fluid_stiffness = 0.;
+
     Regularisation regularisation = Regularisation::softening_length;
     /// l_s (m): width of the band that the softening belongs to; 0: a cell,
     /// whatever its size.
@@ -102,6 +106,10 @@ namespace Waker
     /// Is its law one of effective stress (Material::is_of_effective_stress())?
     bool
     is_drained() const;
+
+    /// Poisson's ratio (-) of the soil with its water in it, if it stays.
+    double
+    undrained_poissons_ratio() const;
 
     /// Does its strength grow with pressure?
     bool

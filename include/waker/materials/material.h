@@ -164,6 +164,11 @@ namespace Waker
     virtual void
     update_block(const unsigned int n_points, Block &block) const;
 
+    /// Elastic energy per volume (kPa) of a block's stresses, as they are after
+    /// update_block(). By default that of bulk_modulus() and shear_modulus().
+    virtual void
+    elastic_energy(const Block &block, double (&energy)[block_size]) const;
+
     /// Mass density (Mg/m^3).
     virtual double
     density() const = 0;
@@ -174,6 +179,14 @@ namespace Waker
 
     virtual double
     bulk_modulus() const = 0;
+
+    /// What the water in the pores of undrained soil adds to the bulk modulus
+    /// (kPa). In situ, where the soil has drained, it adds nothing.
+    virtual double
+    pore_fluid_stiffness() const
+    {
+      return 0.;
+    }
 
     /// Is the stress effective: does the water in the ground
     /// (loads/pore_water.h) carry the rest of the total one? By default it is
