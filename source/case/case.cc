@@ -139,6 +139,7 @@ namespace Waker
     declare_material_variables(materials, initial_points);
     InitialProperties<dim>(materials, ground)
       .set(layers_of_points, initial_points);
+    ground.record_loads(layers_of_points, initial_points);
     pore_water.record(initial_points, WaterLevel(p.water).at(0.));
     prepare_domains(p.mapping.domains, initial_points);
     programmes.prepare(p, initial_points);

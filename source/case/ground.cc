@@ -15,6 +15,7 @@ namespace Waker
                       const Parameters          &p,
                       const PoreWater<dim>      &pore_water)
     : soil_depths(grid, p.layers)
+    , quick_loads(p.tractions, p.layers, soil_depths)
     , pore_water(&pore_water)
     , daily_pore_water(p.pore_water.of_the_daily_water(),
                        p.water.unit_weight,
@@ -82,8 +83,34 @@ namespace Waker
     const auto column = soil_depths.column(x);
     return {depths.below_surface,
             depths.in_layer,
-            vertical_stress(column, x, *pore_water),
+            vertical_stress(column, x, *pore_water) + quick_loads.stress(x) -
+              load_pressure(x, layer),
             vertical_stress(column, x, daily_pore_water)};
+  }
+
+
+  template <int dim>
+  double
+  Ground<dim>::load_pressure(const Point<dim>  &x,
+                             const unsigned int layer) const
+  {
+    // Above the line there is air, too.
+    if (pore_water->empty() || x[1] > pore_water->line().height(x[0]))
+      return 0.;
+    return quick_loads.pore_pressure(x, layer);
+  }
+
+
+  template <int dim>
+  void
+  Ground<dim>::record_loads(const std::vector<unsigned int> &layers,
+                            MaterialPoints<dim>             &points) const
+  {
+    if (quick_loads.empty())
+      return;
+    std::vector<double> &values = points.scalar("pore pressure of loads");
+    for (std::size_t p = 0; p < points.n_points(); ++p)
+      values[p] = load_pressure(points.initial_position[p], layers[p]);
   }
 
 

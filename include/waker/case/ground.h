@@ -3,6 +3,7 @@
 #define waker_case_ground_h
 
 #include <waker/loads/pore_water.h>
+#include <waker/loads/quick_loads.h>
 #include <waker/particles/place_expression.h>
 #include <waker/particles/soil_depths.h>
 
@@ -18,8 +19,9 @@ namespace Waker
   /**
    * The ground at t = 0, before anything moves: how deep a place lies in it,
    * and what lies on it. The vertical stress is the weight of the column of
-   * soil and water over the place, whatever slopes beside it; effective where
-   * there is a phreatic line (compression positive).
+   * soil and water over the place, whatever slopes beside it, and now, not on
+   * usual days, what quick loads bring; effective where there is a phreatic
+   * line (compression positive).
    */
   template <int dim>
   class Ground
@@ -35,6 +37,13 @@ namespace Waker
     /// there is not (of soil that flows in): all is NaN
     InGround
     at(const Point<dim> &x, const unsigned int layer) const;
+
+    /// The points' scalar "pore pressure of loads" (kPa), of quick loads; made
+    /// if there are any.
+    /// @param layers number of each point's layer
+    void
+    record_loads(const std::vector<unsigned int> &layers,
+                 MaterialPoints<dim>             &points) const;
 
     const SoilDepths<dim> &
     depths() const
@@ -65,7 +74,12 @@ namespace Waker
                     const Point<dim>     &x,
                     const PoreWater<dim> &water) const;
 
+    /// Of quick loads, in the water there (kPa).
+    double
+    load_pressure(const Point<dim> &x, const unsigned int layer) const;
+
     SoilDepths<dim>          soil_depths;
+    QuickLoads<dim>          quick_loads;
     std::vector<UnitWeights> unit_weights; // by layer
     const PoreWater<dim>    *pore_water;
     PoreWater<dim>           daily_pore_water;
