@@ -100,8 +100,7 @@ namespace Waker
   void
   Scene<dim>::set_loads(State<dim> &state)
   {
-    // What a load programme adds is known from the step before.
-    the_case->pore_water.record(state.points, water.level().at(state.time));
+    the_case->pore_water.record(state.points, state.pore_water);
     do_at_step(state.step,
                [&]() { add_up_loads(state.points, state.time, state.loads); });
     tractions.record(state.time, state.tractions);
@@ -178,12 +177,17 @@ namespace Waker
   double
   Scene<dim>::last_load_change(const double unknown) const
   {
-    double last = full_loads_from(the_case->parameters.time);
-    for (const double change : {water.level().last_change(),
-                                tractions.last_change(),
+    const auto known = [=](const double change) {
+      return change == LastChange::unknown ? unknown : change;
+    };
+    // The water in the ground comes after that outside.
+    double last = std::max(full_loads_from(the_case->parameters.time),
+                           known(water.level().last_change()) +
+                             the_case->pore_water.time_to_settle());
+    for (const double change : {tractions.last_change(),
                                 walls.last_change(),
                                 the_case->fixities.last_change()})
-      last = std::max(last, change == LastChange::unknown ? unknown : change);
+      last = std::max(last, known(change));
     return last;
   }
 

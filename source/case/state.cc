@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/case/case.h>
 #include <waker/case/state.h>
+#include <waker/loads/water_level.h>
 #include <waker/mechanics/energy.h>
 
 #include <boost/archive/binary_iarchive.hpp>
@@ -16,7 +17,7 @@ namespace Waker
   namespace
   {
     /// Raised when what is stored changes.
-    constexpr unsigned int this_layout = 1;
+    constexpr unsigned int this_layout = 2;
 
 
     // Doubles and tensors of doubles: their bytes are their value.
@@ -55,7 +56,8 @@ namespace Waker
       for (std::vector<Point<dim>> &vertices : state.surface_vertices)
         array(archive, vertices);
       array(archive, state.wall_tractions);
-      archive &state.tractions &state.loads &state.settlement_rate;
+      archive &state.tractions &state.loads &state.settlement_rate &state
+        .pore_water;
       archive &state.time &state.step &state.flow &state.energy &state
         .failure &state.sliding &state.rest &state.mean_plastic_strain &state
         .displacement_rate &state.last_dt &state.halvings &state
@@ -103,6 +105,8 @@ namespace Waker
       elastic_energy(state.points, the_case.materials);
     state.energy.elastic = state.energy.elastic_start;
     state.loads          = the_case.programmes.start();
+    state.pore_water =
+      the_case.pore_water.start(WaterLevel(the_case.parameters.water).at(0.));
     the_case.flow.start(state);
     return state;
   }

@@ -7,6 +7,20 @@
 
 namespace Waker
 {
+  namespace
+  {
+    /// The last change of what load programmes drive, also of the water in the
+    /// ground that follows (s).
+    template <int dim>
+    double
+    programmes_change_until(const Case<dim> &the_case, const State<dim> &state)
+    {
+      return the_case.programmes.last_change(state.loads) +
+             the_case.pore_water.time_to_settle();
+    }
+  } // namespace
+
+
   template <int dim>
   Realisation<dim>::Realisation(const Case<dim> &the_case, State<dim> &state)
     : the_case(&the_case)
@@ -79,7 +93,10 @@ namespace Waker
     state->settlement_rate = settlements.largest(state->points) / dt;
     report.check_finite(t + dt);
     state->energy += report;
-    control.accept(dt, report);                         // time goes on
+    control.accept(dt, report); // time goes on
+    the_case->pore_water.follow(scene.water_level(state->time),
+                                dt,
+                                state->pore_water);
     the_case->flow.exchange(nodes, report, dt, *state); // inflow, outflow
     the_case->programmes.proceed(*state);               // loads go on: 6.2.1
   }
@@ -121,16 +138,19 @@ namespace Waker
     Unrest unrest;
     unrest.moving =
       !is_static && !is_at_rest(parameters.stop, state->rest, time);
+    // The water in the ground still follows what the water outside did then.
+    const double seen =
+      std::max(0., since - the_case->pore_water.time_to_settle());
     // Of an expression only what it has done is known, of the others also what
     // they will do. Round-off in the sum of the steps changes no load.
     unrest.loads_change =
       the_case->last_load_change == LastChange::unknown
         ? scene.last_load_change(LastChange::never) > since * (1. + 1e-9) ||
-            !scene.varying_load(since, time).empty()
+            !scene.varying_load(seen, time).empty()
         : the_case->last_load_change > since * (1. + 1e-9);
     unrest.loads_change =
       unrest.loads_change ||
-      the_case->programmes.last_change(state->loads) > since * (1. + 1e-9);
+      programmes_change_until(*the_case, *state) > since * (1. + 1e-9);
     unrest.at_box = soil_lies_against_side(the_case->grid,
                                            state->points,
                                            the_case->flow.openings());
@@ -143,7 +163,7 @@ namespace Waker
   Realisation<dim>::last_load_change() const
   {
     return std::max(the_case->last_load_change,
-                    the_case->programmes.last_change(state->loads));
+                    programmes_change_until(*the_case, *state));
   }
 
 

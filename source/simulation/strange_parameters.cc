@@ -8,6 +8,7 @@
 #include <waker/simulation/plausibility.h>
 
 #include "plausible_ranges.h"
+#include "strange_pore_water.h"
 #include "strange_softening.h"
 #include "unused_parameters.h"
 #include <algorithm>
@@ -62,7 +63,9 @@ namespace Waker
       const bool is_drained =
         std::any_of(p.materials.begin(),
                     p.materials.end(),
-                    [](const MaterialParameters &m) { return m.is_drained(); });
+                    [](const MaterialParameters &m) {
+                      return m.is_drained() && m.pore_fluid_stiffness == 0.;
+                    });
       if (p.pore_water.is_there())
         {
           const PhreaticLine line =
@@ -298,6 +301,7 @@ namespace Waker
     check_section(p, warnings);
     check_water(p, warnings);
     check_liquids(p, warnings);
+    warn_of_pore_water(p, warnings);
     for (const std::string &text : unused_in_load_programmes(p))
       warnings.push_back(text);
 

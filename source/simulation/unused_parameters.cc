@@ -52,6 +52,54 @@ namespace Waker
                   choice,
                   warnings);
     }
+
+
+    /// Of the water in the ground.
+    void
+    warn_of_unused_lines(const Parameters         &p,
+                         std::vector<std::string> &warnings)
+    {
+      const PoreWaterParameters &water  = p.pore_water;
+      const std::string          usual  = PoreWaterParameters().delay;
+      const std::string          at_all = "no Lines by level";
+      warn_unused(!water.follows_water() && tidy(water.delay) != usual,
+                  "Pore water/Delay",
+                  at_all,
+                  warnings);
+      for (const HeadLineParameters &line : water.head_lines)
+        {
+          warn_unused(!line.follows_water() && tidy(line.delay) != usual,
+                      "Head lines/" + line.name + "/Delay",
+                      at_all,
+                      warnings);
+          const auto is_meant = [&](const ReferenceLineParameters &r) {
+            return tidy(r.top_head_line) == line.name ||
+                   tidy(r.bottom_head_line) == line.name;
+          };
+          warn_unused(std::none_of(water.reference_lines.begin(),
+                                   water.reference_lines.end(),
+                                   is_meant),
+                      "Head lines/" + line.name,
+                      "the reference lines that there are",
+                      warnings);
+        }
+      if (!water.reference_lines.empty())
+        {
+          const ReferenceLineParameters &first =
+            water.reference_lines[from_top_to_bottom(water.reference_lines)[0]];
+          warn_unused(!tidy(first.top_head_line).empty(),
+                      "Reference lines/" + first.name + "/Top head line",
+                      "the first reference line: above it the pressure is "
+                      "hydrostatic from the phreatic line",
+                      warnings);
+        }
+      for (const TractionParameters &t : p.tractions)
+        warn_unused(t.spread != TractionParameters().spread &&
+                      tidy(t.consolidation).empty(),
+                    "Tractions/" + t.name + "/Spread",
+                    "no Consolidation",
+                    warnings);
+    }
   } // namespace
 
 
@@ -83,6 +131,7 @@ namespace Waker
                   "Water/Unit weight",
                   "Side = none",
                   warnings);
+    warn_of_unused_lines(p, warnings);
     for (const MaterialParameters &m : p.materials)
       warn_of_unused_regularisation(m, warnings);
     for (const MaterialParameters &m : p.materials)

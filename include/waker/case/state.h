@@ -3,6 +3,7 @@
 #define waker_case_state_h
 
 #include <waker/control/stop_rules.h>
+#include <waker/loads/pore_water.h>
 #include <waker/loads/tractions.h>
 #include <waker/measures/failure_record.h>
 #include <waker/measures/load_record.h>
@@ -38,6 +39,8 @@ namespace Waker
     typename Walls<dim>::Tractions wall_tractions; // kPa
 
     std::vector<LoadRecord> loads; // of the load programmes, one each
+
+    PoreWaterRecord pore_water;
 
     FlowAccount<dim> flow;
     EnergyAccount    energy;
