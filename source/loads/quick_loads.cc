@@ -74,7 +74,7 @@ namespace Waker
         const std::size_t colon  = item.rfind(':');
         double            degree = 0.;
         if (colon == std::string::npos ||
-            !read_number(item.substr(colon + 1), degree))
+            !read_number(tidy(item.substr(colon + 1)), degree))
           throw UserError(path,
                           in_quotes(item) + " is no layer and degree",
                           allowed);

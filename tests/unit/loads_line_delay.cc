@@ -221,7 +221,7 @@ end
                       std::max(10. * (level * (12. - x[0]) / 7. - x[1]), 0.),
                       1e-11);
         }
-    EXPECT_GT(n, 50u);
+    EXPECT_GT(n, 30u);
     // Until a thousandth is left of it the loads change.
     EXPECT_EQ(the_case.pore_water.time_to_settle(), 14.);
     EXPECT_EQ(the_case.last_load_change, 15.);

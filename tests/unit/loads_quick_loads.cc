@@ -239,17 +239,18 @@ end
     EXPECT_USER_ERROR(ground({traffic + "From=", traffic + "To="}),
                       set + traffic + "From",
                       "is empty");
-    EXPECT_USER_ERROR(ground(
-                        {traffic + "Kind=hydrostatic", traffic + "Level=4"}),
-                      degree,
+    EXPECT_USER_ERROR(ground({traffic + "Kind=hydrostatic",
+                              traffic + "Level=4",
+                              degree + "=1"}),
+                      set + degree,
                       "is hydrostatic");
-    EXPECT_USER_ERROR(ground({"Pore water/Phreatic line="}),
-                      degree,
+    EXPECT_USER_ERROR(ground({"Pore water/Phreatic line=", degree + "=1"}),
+                      set + degree,
                       "no phreatic line");
-    for (const char *const angle : {"-1", "81", "nan", "1e308"})
+    for (const std::string angle : {"-1", "81", "nan", "1e308"})
       EXPECT_USER_ERROR(ground({traffic + "Spread=" + angle}),
                         set + traffic + "Spread",
-                        "");
+                        "\"" + angle + "\"");
     EXPECT_USER_ERROR(ground({"Load programmes/Names=more",
                               "Load programmes/more/Drives=traction",
                               "Load programmes/more/Load=traffic"}),
@@ -303,6 +304,7 @@ end
               "Tractions/traffic/Consolidation=",
               "Tractions/traffic/Value=10*min(t, 1)",
               "Time stepping/Scheme=quasi-static",
+              "Newton/Tolerance=1e-9",
               "Time stepping/Time step=0.25"});
     const Case<2> the_case(*parameters, MPI_COMM_SELF);
     const auto    drained = ground({"Tractions/traffic/Consolidation=",
