@@ -305,6 +305,7 @@ end
               "Tractions/traffic/Value=10*min(t, 1)",
               "Time stepping/Scheme=quasi-static",
               "Newton/Tolerance=1e-9",
+              "Time stepping/Move points=false",
               "Time stepping/Time step=0.25"});
     const Case<2> the_case(*parameters, MPI_COMM_SELF);
     const auto    drained = ground({"Tractions/traffic/Consolidation=",
