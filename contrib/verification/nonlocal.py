@@ -118,8 +118,9 @@ def draw(table, states, profiles):
     axes.legend()
     for column, way in enumerate(("as it is", "nonlocal")):
         axes = figure.add_subplot(layout[2:, column])
-        for cell in CELLS:
-            rows, strain = profiles[way, cell]
+        for (name, cell), (rows, strain) in profiles.items():
+            if name != way:
+                continue
             axes.plot(strain, rows, label=f"h = {cell:g} m")
         axes.set_xlabel("plastic strain (-)")
         axes.set_ylabel("y (m)")
