@@ -11,6 +11,7 @@
 #include "strange_pore_water.h"
 #include "strange_softening.h"
 #include "unused_parameters.h"
+#include "wall_warnings.h"
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -298,6 +299,7 @@ namespace Waker
                          "will be coarse; 2 is usual");
 
     warn_of_unused(p, warnings);
+    warn_of_friction(p, warnings);
     check_section(p, warnings);
     check_water(p, warnings);
     check_liquids(p, warnings);
