@@ -232,7 +232,9 @@ namespace Waker
       throw NumericalFailure("the loads at t = 0 are not finite: is a unit "
                              "weight, a traction or a force too large?");
     initial_wall_tractions.resize(scene.walls.n_spots());
-    scene.walls.reinit(scene.nodes.mass, 0., initial_wall_tractions);
+    scene.walls.reinit(points, scene.nodes.mass, 0., initial_wall_tractions);
+    scene.walls.check_start();
+    idle_walls = scene.walls.idle();
     if (parameters.gravity.initial_stress)
       {
         const NodalVector full = scene.nodes.external_force;
@@ -254,8 +256,11 @@ namespace Waker
                           ? 0.
                           : gravity_report.residuals.back())
                     << ", above Gravity/Tolerance "
-                    << parameters.gravity.tolerance
-                    << ": is the body held, and no Poisson's ratio above 0.49?";
+                    << parameters.gravity.tolerance << ": is the body held"
+                    << (scene.walls.have_friction()
+                          ? ", or does it slide on a frictional wall"
+                          : "")
+                    << ", and no Poisson's ratio above 0.49?";
             throw NumericalFailure(message.str());
           }
         scene.nodes.external_force = full; // the rest acts from now on

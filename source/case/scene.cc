@@ -4,6 +4,7 @@
 #include <waker/mapping/transfer.h>
 #include <waker/mechanics/point_motion.h>
 #include <waker/mechanics/time_scheme.h>
+#include <waker/nodes/wall_spots.h>
 
 #include <algorithm>
 
@@ -16,7 +17,8 @@ namespace Waker
     , surfaces(the_case.grid,
                the_case.parameters.surface,
                weights.functions(),
-               the_case.fixities.closed_faces())
+               the_case.fixities.closed_faces() |
+                 faces_along_walls(the_case.grid, the_case.parameters.walls))
     , water(the_case.grid,
             the_case.parameters.water,
             the_case.parameters.surface)
@@ -111,7 +113,7 @@ namespace Waker
   void
   Scene<dim>::meet_walls(State<dim> &state)
   {
-    walls.reinit(nodes.mass, state.time, state.wall_tractions);
+    walls.reinit(state.points, nodes.mass, state.time, state.wall_tractions);
   }
 
 

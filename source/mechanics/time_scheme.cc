@@ -124,6 +124,7 @@ namespace Waker
       {"kinetic energy", kinetic_energy},
       {"elastic energy", elastic_energy},
       {"dissipation", dissipation},
+      {"friction", friction},
       {"work of the weight", gravity_work},
       {"work of the loads", load_work},
       {"work of the supports", support_work},

@@ -12,6 +12,7 @@
 #include "strange_pore_water.h"
 #include "strange_softening.h"
 #include "unused_parameters.h"
+#include "wall_warnings.h"
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -299,6 +300,7 @@ namespace Waker
                          "will be coarse; 2 is usual");
 
     warn_of_unused(p, warnings);
+    warn_of_friction(p, warnings);
     check_section(p, warnings);
     check_water(p, warnings);
     check_liquids(p, warnings);

@@ -111,7 +111,7 @@ namespace base_choice
     check_names<TractionMethod>(7);
     check_names<TractionKind>(3);
     check_names<TractionFollows>(3);
-    check_names<WallType>(2);
+    check_names<WallType>(3);
     check_names<Watched>(8);
     check_names<LoadProgrammeKind>(3);
     check_names<LoadTarget>(4);

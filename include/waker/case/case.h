@@ -52,6 +52,8 @@ namespace Waker
     /// Number of each one's layer; no layer has the number of what flows in.
     std::vector<unsigned int>      layers_of_points;
     typename Walls<dim>::Tractions initial_wall_tractions; // kPa
+    /// Numbers of the walls that no soil touches.
+    std::vector<unsigned int> idle_walls;
     /// Of the tractions, one each; without pieces for those that do not ride.
     std::vector<RidingLoad<dim>> riding_loads;
     /// Of the tractions, one each.

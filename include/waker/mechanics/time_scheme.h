@@ -30,10 +30,11 @@ namespace Waker
     // Work and energy of the step, kJ (per m in 2D). See mechanics/energy.h.
     double gravity_work   = 0.;
     double load_work      = 0.; // of the external force other than weight
-    double support_work   = 0.; // of moving supports
+    double support_work   = 0.; // of supports that move or give way
     double ramp_work      = 0.; // withheld by the residual ramp
     double mapping_loss   = 0.; // of kinetic energy, points <-> nodes
     double dissipation    = 0.; // plastic
+    double friction       = 0.; // lost by sliding along walls
     double kinetic_energy = 0.; // of the points at the end
     double elastic_energy = 0.; // at the end
 
