@@ -105,15 +105,6 @@ namespace Waker
                       "as clay that drains above the line and not below. "
                       "Empty: it is the same below.",
                       Patterns::Anything());
-    add_choice(prm,
-               "Regularisation",
-               regularisation,
-               "What keeps softening from belonging to the cells. softening "
-               "length: plastic strain is scaled by the cell size, see there; "
-               "with a length of 0, the default, nothing does. nonlocal: the "
-               "strain that softens a point is that of its surroundings, see "
-               "Averaging length. For new work nonlocal is recommended, with "
-               "cells of at most the averaging length; the thesis has none.");
     prm.add_parameter(
       "Pore fluid stiffness",
       pore_fluid_stiffness,
@@ -131,6 +122,15 @@ namespace Waker
       "(degrees) is that at the place; elastic: nu/(1 - nu), of Poisson's "
       "ratio; or Jaky: 1 - sin(friction_angle).",
       ExpressionPattern());
+    add_choice(prm,
+               "Regularisation",
+               regularisation,
+               "What keeps softening from belonging to the cells. softening "
+               "length: plastic strain is scaled by the cell size, see there; "
+               "with a length of 0, the default, nothing does. nonlocal: the "
+               "strain that softens a point is that of its surroundings, see "
+               "Averaging length. For new work nonlocal is recommended, with "
+               "cells of at most the averaging length; the thesis has none.");
     prm.add_parameter(
       "Softening length",
       softening_length,
