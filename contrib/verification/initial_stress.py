@@ -7,6 +7,9 @@ some minutes.
         [--only start|factors]
 """
 
+import json
+import os
+
 import numpy as np
 from common import plt, save
 from dyke_runs import draw_points, option, workspace, write_csv
@@ -56,12 +59,19 @@ def start(work):
 def factors(work):
     rows = []
     for name, settings in VARIANTS:
-        result = work.factor_of_safety(name, CASE, {
-            **settings, "Strength reduction/Tolerance": 0.02,
-            "Strength reduction/Lower factor": 1,
-            "Strength reduction/Upper factor": 1.6})
-        rows.append((name, result["highest_stable_factor"],
-                     result["lowest_failed_factor"]))
+        try:
+            work.factor_of_safety(name, CASE, {
+                **settings, "Strength reduction/Tolerance": 0.02,
+                "Strength reduction/Lower factor": 1,
+                "Strength reduction/Upper factor": 1.6})
+        except SystemExit:  # no factor: some dykes still move
+            pass
+        with open(os.path.join(work.folder, name, "strength_reduction.json"),
+                  encoding="utf-8") as file:
+            result = json.load(file)
+        rows.append((name, *(np.nan if result[key] is None else result[key]
+                             for key in ("highest_stable_factor",
+                                         "lowest_failed_factor"))))
         print("| %s | %.3f | %.3f |" % rows[-1], flush=True)
     write_csv("initial_stress", dict(zip(("stress", "stable", "fails"), zip(*rows))))
 
