@@ -139,6 +139,16 @@ namespace Waker
                       "its strain, and there is " +
                         quoted_from(in),
                       "step, or the usual of section Initial stress");
+    for (const MaterialParameters &material : p.materials)
+      if (material.pore_fluid_stiffness > 0. &&
+          (in.daily_stage || in.laws == BalanceLaws::plastic))
+        throw UserError("Materials/" + material.name + "/Pore fluid stiffness",
+                        "is " + in_digits(material.pore_fluid_stiffness) +
+                          " kPa, whose excess pressure no stage carries, but "
+                          "there is " +
+                          quoted_from(in),
+                        "0, or Initial stress/Laws = elastic without a daily "
+                        "stage");
     if (in.from == StressFrom::k0 && !(p.gravity.acceleration > 0.))
       throw UserError("Initial stress/From",
                       "is K0, and Gravity/Acceleration is 0: nothing has a "
