@@ -106,14 +106,6 @@ namespace Waker
                       "Empty: it is the same below.",
                       Patterns::Anything());
     prm.add_parameter(
-      "Pore fluid stiffness",
-      pore_fluid_stiffness,
-      "Mohr-Coulomb: bulk stiffness of the water in the pores of soil that does "
-      "not drain (kPa), that of water over the porosity, at least 0: "
-      "volumetric strain makes excess pore pressure, and effective parameters "
-      "an undrained soil. It drains in the gravity step. 0: it drains.",
-      Patterns::Double(0.));
-    prm.add_parameter(
       "K0",
       k0,
       "Initial stress/From = K0: horizontal over vertical effective stress (-), "
@@ -131,6 +123,14 @@ namespace Waker
                "strain that softens a point is that of its surroundings, see "
                "Averaging length. For new work nonlocal is recommended, with "
                "cells of at most the averaging length; the thesis has none.");
+    prm.add_parameter(
+      "Pore fluid stiffness",
+      pore_fluid_stiffness,
+      "Mohr-Coulomb: bulk stiffness of the water in the pores of soil that does "
+      "not drain (kPa), that of water over the porosity, at least 0: "
+      "volumetric strain makes excess pore pressure, and effective parameters "
+      "an undrained soil. It drains in the gravity step. 0: it drains.",
+      Patterns::Double(0.));
     prm.add_parameter(
       "Softening length",
       softening_length,

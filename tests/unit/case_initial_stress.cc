@@ -280,6 +280,10 @@ namespace case_initial_stress
              "Materials/sand/Saturated unit weight=0"},
             "Initial stress/From",
             "float");
+    refused({"Initial stress/Laws=plastic",
+             "Materials/sand/Pore fluid stiffness=1000"},
+            "Materials/sand/Pore fluid stiffness",
+            "no stage carries");
     // Borne just so.
     EXPECT_NO_THROW(
       Case<2>(*read(level_ground, {"Materials/sand/K0=0.3"}), MPI_COMM_SELF));
