@@ -84,6 +84,31 @@ namespace Waker
     }
 
 
+    /// The points' scalar "initial vertical stress" (kPa), effective, of
+    /// columns; if anything follows from it.
+    template <int dim>
+    void
+    record_vertical_stress(const Ground<dim>               &ground,
+                           const Parameters                &parameters,
+                           const std::vector<unsigned int> &layers,
+                           MaterialPoints<dim>             &points)
+    {
+      if (!ground.knows_stress() ||
+          (parameters.initial_stress.is_gravity_step() &&
+           std::none_of(parameters.materials.begin(),
+                        parameters.materials.end(),
+                        [](const MaterialParameters &m) {
+                          return m.strength_follows_stress();
+                        })))
+        return;
+      std::vector<double> &values = points.scalar("initial vertical stress");
+      for (std::size_t p = 0; p < points.n_points(); ++p)
+        if (layers[p] < ground.depths().n_layers())
+          values[p] =
+            ground.at(points.initial_position[p], layers[p]).vertical_stress;
+    }
+
+
     /// The soil below the phreatic line gets the weight and the material that
     /// it has there.
     template <int dim>
@@ -140,6 +165,7 @@ namespace Waker
     InitialProperties<dim>(materials, ground)
       .set(layers_of_points, initial_points);
     ground.record_loads(layers_of_points, initial_points);
+    record_vertical_stress(ground, p, layers_of_points, initial_points);
     pore_water.record(initial_points, WaterLevel(p.water).at(0.));
     prepare_domains(p.mapping.domains, initial_points);
     programmes.prepare(p, initial_points);
@@ -239,30 +265,7 @@ namespace Waker
       {
         const NodalVector full = scene.nodes.external_force;
         scene.nodes.external_force *= parameters.gravity.initial_share;
-        gravity_report = gravity_step(materials,
-                                      scene.weights,
-                                      fixities,
-                                      full_node_mass,
-                                      parameters.gravity.tolerance,
-                                      parameters.mapping,
-                                      scene.nodes,
-                                      points,
-                                      scene.resistances());
-        if (!gravity_report.converged)
-          {
-            std::ostringstream message;
-            message << "the gravity step stops at a residual of "
-                    << (gravity_report.residuals.empty()
-                          ? 0.
-                          : gravity_report.residuals.back())
-                    << ", above Gravity/Tolerance "
-                    << parameters.gravity.tolerance << ": is the body held"
-                    << (scene.walls.have_friction()
-                          ? ", or does it slide on a frictional wall"
-                          : "")
-                    << ", and no Poisson's ratio above 0.49?";
-            throw NumericalFailure(message.str());
-          }
+        set_stress(scene);
         scene.nodes.external_force = full; // the rest acts from now on
         give_back_memory();                // what the solver took
       }

@@ -20,7 +20,8 @@ namespace Waker
     , daily_pore_water(p.pore_water.of_the_daily_water(),
                        p.water.unit_weight,
                        {},
-                       WaterLevel(p.water).at(0.))
+                       p.initial_stress.level().value_or(
+                         WaterLevel(p.water).at(0.)))
     , water_weight(p.water.unit_weight)
     , has_gravity(p.gravity.acceleration > 0.)
     , stress_is_known(p.pore_water.is_there() || !p.water.stands())
@@ -119,19 +120,30 @@ namespace Waker
   Ground<dim>::check(const PlaceExpression<dim> &expression,
                      const std::string          &path) const
   {
-    if (expression.asks_for_stress() && !has_gravity)
+    if (expression.asks_for_stress())
+      require_stress(path,
+                     "asks for the effective vertical stress (\"" +
+                       expression.text() + "\")",
+                     "a strength without it");
+  }
+
+
+  template <int dim>
+  void
+  Ground<dim>::require_stress(const std::string &path,
+                              const std::string &what,
+                              const std::string &otherwise) const
+  {
+    if (!has_gravity)
       throw UserError(path,
-                      "asks for the vertical stress (\"" + expression.text() +
-                        "\"), and Gravity/Acceleration is 0",
-                      "a strength without it, or gravity");
-    if (expression.asks_for_stress() && !stress_is_known)
+                      what + ", and Gravity/Acceleration is 0",
+                      otherwise + ", or gravity");
+    if (!stress_is_known)
       throw UserError(path,
-                      "asks for the effective vertical stress (\"" +
-                        expression.text() +
-                        "\"), and water stands on the soil, but nothing says "
-                        "where it is in the ground",
-                      "a strength without it, or a phreatic line (Pore "
-                      "water/Phreatic line)");
+                      what + ", and water stands on the soil, but nothing says "
+                             "where it is in the ground",
+                      otherwise +
+                        ", or a phreatic line (Pore water/Phreatic line)");
   }
 
 

@@ -327,5 +327,6 @@ namespace Waker
     stop.check();
     strength_reduction.check();
     output.check();
+    check_initial_stress(*this);
   }
 } // namespace Waker

@@ -9,6 +9,7 @@
 #include <waker/base/text.h>
 #include <waker/materials/factory.h>
 
+#include "initial_expression.h"
 #include <cmath>
 
 namespace Waker
@@ -41,6 +42,24 @@ namespace Waker
                         "is " + in_digits(stiffness) + " kPa, but Model is " +
                           name_of(m.model) + ", a law of total stress",
                         "0, or a law of effective stress: Mohr-Coulomb");
+    }
+
+
+    /// What K0 may be an expression of, beside the place: see
+    /// Material::variables().
+    std::vector<std::string>
+    k0_symbols(const MaterialModel model)
+    {
+      switch (model)
+        {
+          case MaterialModel::linear_elastic:
+            return {};
+          case MaterialModel::von_mises_softening:
+            return {"initial_strength"};
+          case MaterialModel::mohr_coulomb:
+            return {"cohesion", "friction_angle", "dilatancy_angle"};
+        }
+      return {};
     }
   } // namespace
 
@@ -86,6 +105,15 @@ namespace Waker
                       "as clay that drains above the line and not below. "
                       "Empty: it is the same below.",
                       Patterns::Anything());
+    prm.add_parameter(
+      "K0",
+      k0,
+      "Initial stress/From = K0: horizontal over vertical effective stress (-), "
+      "at least 0, where the ground is level: a number; an expression of the "
+      "place as of Initial strength, in which Mohr-Coulomb's friction_angle "
+      "(degrees) is that at the place; elastic: nu/(1 - nu), of Poisson's "
+      "ratio; or Jaky: 1 - sin(friction_angle).",
+      ExpressionPattern());
     add_choice(
       prm,
       "Regularisation",
@@ -146,6 +174,12 @@ namespace Waker
     nonlocal.check(path);
     elastic.check(path);
     check_pore_fluid(*this);
+    const auto number = plain_number(k0);
+    if (number && !(*number >= 0. && *number <= 1e3))
+      throw UserError(path + "K0",
+                      "is " + in_digits(*number),
+                      "from 0 to 1000 (soils have 0.3 to 2), elastic or Jaky");
+    check_expression(path + "K0", k0_expression(), k0_symbols(model), dim);
     von_mises.check_expressions(path, dim); // whatever the model
     mohr_coulomb.check_expressions(path, dim);
     const double scale = softening_measure(cell_size).of_uniform_strain();
@@ -199,6 +233,23 @@ namespace Waker
           return mohr_coulomb.softening_strain > 0.;
       }
     return false;
+  }
+
+
+  std::string
+  MaterialParameters::k0_expression() const
+  {
+    const std::string text = tidy(k0);
+    if (text == "elastic")
+      return in_digits(elastic.poissons_ratio / (1. - elastic.poissons_ratio));
+    if (text != "Jaky")
+      return text;
+    if (model != MaterialModel::mohr_coulomb)
+      throw UserError("Materials/" + name + "/K0",
+                      std::string("is Jaky, but Model = ") + name_of(model) +
+                        " has no friction angle",
+                      "a number, an expression, or elastic");
+    return "1 - sin(friction_angle*pi/180)";
   }
 
 

@@ -175,6 +175,7 @@ namespace Waker
                   names.conditions,
                   parameters.fixities);
     declare_section(prm, "Gravity", parameters.gravity);
+    declare_section(prm, "Initial stress", parameters.initial_stress);
     declare_section(prm, "Water", parameters.water);
     declare_section(prm, "Pore water", parameters.pore_water);
     const auto named = [&](const std::string              &section,

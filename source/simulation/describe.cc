@@ -7,6 +7,7 @@
 #include <waker/simulation/describe.h>
 #include <waker/simulation/plausibility.h>
 
+#include "stress_lines.h"
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -222,11 +223,14 @@ namespace Waker
            p.time.end_time);
     else if (the_case.last_load_change > 0.)
       say(log, "  loads     change until t = %g s", the_case.last_load_change);
-    if (!the_case.gravity_report.residuals.empty())
+    if (p.initial_stress.is_gravity_step() &&
+        !the_case.gravity_report.residuals.empty())
       say(log,
           "  gravity   in-situ stress after %zu solve(s), residual %.1e",
           the_case.gravity_report.residuals.size() - 1,
           the_case.gravity_report.residuals.back());
+    for (const std::string &line : stress_lines(the_case))
+      log.line(line);
     const RunSizes sizes = run_sizes(the_case);
     log.line(std::string("  effort    ") +
              (scheme_traits(p.time).has_long_steps ? "at least " : "up to ") +

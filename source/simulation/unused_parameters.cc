@@ -179,6 +179,23 @@ namespace Waker
                 "Pore water/Phreatic line",
                 "laws of total stress alone",
                 warnings);
+    const InitialStressParameters at_rest;
+    for (const MaterialParameters &m : p.materials)
+      warn_unused(p.initial_stress.from != StressFrom::k0 &&
+                    m.k0 != MaterialParameters().k0,
+                  "Materials/" + m.name + "/K0",
+                  "Initial stress/From = gravity",
+                  warnings);
+    warn_unused(p.initial_stress.laws != BalanceLaws::plastic &&
+                  p.initial_stress.steps != at_rest.steps,
+                "Initial stress/Steps",
+                "Laws = elastic",
+                warnings);
+    warn_unused(!p.initial_stress.daily_stage &&
+                  !tidy(p.initial_stress.daily_level).empty(),
+                "Initial stress/Daily level",
+                "Daily stage = false",
+                warnings);
     warn_unused(!p.gravity.initial_stress && p.gravity.initial_share != 1.,
                 "Gravity/Initial share",
                 "Initial stress = false",

@@ -119,6 +119,8 @@ namespace base_choice
     check_names<LoadMass>(2);
     check_names<FieldProperty>(6);
     check_names<PorePressureOf>(2);
+    check_names<StressFrom>(2);
+    check_names<BalanceLaws>(2);
     check_names<FieldStatistics>(2);
     check_names<Marginal::Kind>(4);
     check_names<Correlation::Function>(3);

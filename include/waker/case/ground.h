@@ -45,6 +45,23 @@ namespace Waker
     record_loads(const std::vector<unsigned int> &layers,
                  MaterialPoints<dim>             &points) const;
 
+    /// @param path of a parameter that asks for the vertical stress
+    /// @param what it is, for the error
+    /// @param otherwise what else it may be, likewise
+    /// @throws UserError path: there is no gravity; or water stands outside,
+    /// and there is no phreatic line
+    void
+    require_stress(const std::string &path,
+                   const std::string &what,
+                   const std::string &otherwise) const;
+
+    /// Is the vertical stress known?
+    bool
+    knows_stress() const
+    {
+      return has_gravity && stress_is_known;
+    }
+
     const SoilDepths<dim> &
     depths() const
     {

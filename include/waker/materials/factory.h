@@ -83,7 +83,12 @@ namespace Waker
     /// drains. See UndrainedSoil.
     double pore_fluid_stiffness = 0.;
 
+    /// Horizontal over vertical effective stress at rest: a number, an
+    /// expression of the place, or "elastic" or "Jaky".
+    std::string k0 = "elastic";
+
     Regularisation regularisation = Regularisation::softening_length;
+
     /// l_s (m): width of the band that the softening belongs to; 0: a cell,
     /// whatever its size.
     double             softening_length = 0.;
@@ -102,6 +107,11 @@ namespace Waker
     /// Does its strength follow from the stress in the ground at the start?
     bool
     strength_follows_stress() const;
+
+    /// K0 as an expression of the place and of the law's variables.
+    /// @throws UserError "Materials/<name>/K0": Jaky's without friction
+    std::string
+    k0_expression() const;
 
     /// Is its law one of effective stress (Material::is_of_effective_stress())?
     bool
