@@ -5,11 +5,11 @@
 #include <waker/base/text.h>
 #include <waker/case/case.h>
 #include <waker/case/initial_properties.h>
+#include <waker/case/initial_stress.h>
 #include <waker/case/scene.h>
 #include <waker/case/sizes.h>
 #include <waker/case/soil.h>
 #include <waker/loads/water_level.h>
-#include <waker/mapping/stencil.h>
 #include <waker/measures/dyke_geometry.h>
 #include <waker/mechanics/deformation.h>
 #include <waker/mechanics/time_scheme.h>
@@ -233,51 +233,7 @@ namespace Waker
                              "weight, a traction or a force too large?");
     initial_wall_tractions.resize(scene.walls.n_spots());
     scene.walls.reinit(scene.nodes.mass, 0., initial_wall_tractions);
-    if (parameters.gravity.initial_stress)
-      {
-        const NodalVector full = scene.nodes.external_force;
-        scene.nodes.external_force *= parameters.gravity.initial_share;
-        gravity_report = gravity_step(materials,
-                                      scene.weights,
-                                      fixities,
-                                      full_node_mass,
-                                      parameters.gravity.tolerance,
-                                      parameters.mapping,
-                                      scene.nodes,
-                                      points,
-                                      scene.resistances());
-        if (!gravity_report.converged)
-          {
-            std::ostringstream message;
-            message << "the gravity step stops at a residual of "
-                    << (gravity_report.residuals.empty()
-                          ? 0.
-                          : gravity_report.residuals.back())
-                    << ", above Gravity/Tolerance "
-                    << parameters.gravity.tolerance
-                    << ": is the body held, and no Poisson's ratio above 0.49?";
-            throw NumericalFailure(message.str());
-          }
-        scene.nodes.external_force = full; // the rest acts from now on
-        give_back_memory();                // what the solver took
-      }
-    else
-      scene.set_internal_force(points);
-
-    // Newmark starts from the acceleration that fits the forces at t = 0.
-    const double       ramp = residual_ramp(0., parameters.time.ramp_duration);
-    const Stencil<dim> stencil(grid);
-    NodalVector       &a = scene.nodes.acceleration;
-    a                    = scene.nodes.external_force;
-    a -= scene.nodes.internal_force;
-    for (unsigned int dof = 0; dof < grid.n_dofs(); ++dof)
-      {
-        const double mass = scene.nodes.mass[dof / dim];
-        a.begin()[dof] *=
-          (mass > 0. && !fixities.removed()[dof]) ? ramp / mass : 0.;
-      }
-    for (std::size_t q = 0; q < points.n_points(); ++q)
-      points.acceleration[q] = stencil.value(scene.weights[q], a.begin());
+    gravity_report = set_initial_stress(*this, scene, points);
   }
 
 
