@@ -83,9 +83,19 @@ namespace Waker
                   the_case.ground.at(points.initial_position[q],
                                      the_case.layers_of_points[q]));
             }
+        // Of those that do not vary in this material there is no name.
         if (has_random)
           for (const auto &c : the_case.materials[m]->coefficients())
-            soil.coefficients.push_back(c.name);
+            soil.coefficients.push_back(
+              std::any_of(targets.begin(),
+                          targets.end(),
+                          [&](const auto &target) {
+                            return target.material == m &&
+                                   kind(target) == Kind::coefficient &&
+                                   target.moments.varied().name == c.name;
+                          })
+                ? c.name
+                : "");
 
         const auto variables = the_case.materials[m]->variables();
         for (unsigned int v = 0; v < variables.size(); ++v)

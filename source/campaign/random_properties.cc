@@ -129,6 +129,25 @@ namespace Waker
 
 
   template <int dim>
+  std::vector<double> &
+  RandomProperties<dim>::scalar_of(const RandomProperty &property,
+                                   State<dim>           &state) const
+  {
+    const bool           is_new = state.points.find_scalar(property.name) < 0;
+    std::vector<double> &values = state.points.scalar(property.name);
+    // Elsewhere a coefficient is that of the point's material.
+    if (is_new)
+      for (unsigned int m = 0; m < the_case->materials.size(); ++m)
+        for (const auto &c : the_case->materials[m]->coefficients())
+          if (c.name == property.name)
+            for (std::size_t q = 0; q < values.size(); ++q)
+              if (state.points.material[q] == m)
+                values[q] = c.initial_value.number;
+    return values;
+  }
+
+
+  template <int dim>
   void
   RandomProperties<dim>::apply(const double *noise, State<dim> &state) const
   {
@@ -177,7 +196,7 @@ namespace Waker
             const RandomProperty   &property = target.moments.varied();
             if (property.kind != kind)
               continue;
-            std::vector<double> &values = state.points.scalar(property.name);
+            std::vector<double> &values = scalar_of(property, state);
             for (std::size_t i = 0; i < target.points.size(); ++i)
               {
                 const std::size_t q = target.points[i];

@@ -139,7 +139,7 @@ namespace materials_stiffness_ratio
                             1e-7);
             }
         }
-    EXPECT_GT(n_plastic, 30u);
+    EXPECT_GT(n_plastic, 20u);
   }
 
 

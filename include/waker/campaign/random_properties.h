@@ -108,6 +108,10 @@ namespace Waker
                 std::vector<CellWeights> &weights,
                 State<dim>               &state) const;
 
+    /// Of the points; a coefficient is new to them.
+    std::vector<double> &
+    scalar_of(const RandomProperty &property, State<dim> &state) const;
+
     /// @return is there a field of it?
     bool
     set_stiffness(const bool is_random, State<dim> &state) const;
