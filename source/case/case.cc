@@ -5,11 +5,11 @@
 #include <waker/base/text.h>
 #include <waker/case/case.h>
 #include <waker/case/initial_properties.h>
+#include <waker/case/initial_stress.h>
 #include <waker/case/scene.h>
 #include <waker/case/sizes.h>
 #include <waker/case/soil.h>
 #include <waker/loads/water_level.h>
-#include <waker/mapping/stencil.h>
 #include <waker/measures/dyke_geometry.h>
 #include <waker/mechanics/deformation.h>
 #include <waker/mechanics/time_scheme.h>
@@ -273,19 +273,7 @@ namespace Waker
       scene.set_internal_force(points);
 
     // Newmark starts from the acceleration that fits the forces at t = 0.
-    const double       ramp = residual_ramp(0., parameters.time.ramp_duration);
-    const Stencil<dim> stencil(grid);
-    NodalVector       &a = scene.nodes.acceleration;
-    a                    = scene.nodes.external_force;
-    a -= scene.nodes.internal_force;
-    for (unsigned int dof = 0; dof < grid.n_dofs(); ++dof)
-      {
-        const double mass = scene.nodes.mass[dof / dim];
-        a.begin()[dof] *=
-          (mass > 0. && !fixities.removed()[dof]) ? ramp / mass : 0.;
-      }
-    for (std::size_t q = 0; q < points.n_points(); ++q)
-      points.acceleration[q] = stencil.value(scene.weights[q], a.begin());
+    set_initial_acceleration(*this, scene, points);
   }
 
 

@@ -37,9 +37,10 @@ namespace Waker
                        [&](const auto &m) { return m.name == layer.material; });
         AssertThrow(material != p.materials.end(), ExcInternalError());
         const unsigned int number = material - p.materials.begin();
-        unit_weights.push_back(
-          {share * material->unit_weight,
-           share * unit_weight_below_line(p.materials, number)});
+        soils.push_back({share * material->unit_weight,
+                         share * unit_weight_below_line(p.materials, number),
+                         number,
+                         material_below_line(p.materials, number)});
       }
     for (const TractionParameters &traction : p.tractions)
       if (traction.kind == TractionKind::hydrostatic)
@@ -51,7 +52,8 @@ namespace Waker
   double
   Ground<dim>::vertical_stress(const Column         &column,
                                const Point<dim>     &x,
-                               const PoreWater<dim> &water) const
+                               const PoreWater<dim> &water,
+                               const WeightRatio    &weight_ratio) const
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const double line   = water.empty() ? -infinity : water.line().height(x[0]);
@@ -61,9 +63,18 @@ namespace Waker
         const double low = std::max(stretch.low, x[1]);
         if (!(stretch.high > low))
           continue;
-        const double border = std::clamp(line, low, stretch.high);
-        stress += unit_weights[layer].above_line * (stretch.high - border) +
-                  unit_weights[layer].below_line * (border - low);
+        const double       border = std::clamp(line, low, stretch.high);
+        const SoilOfLayer &soil   = soils[layer];
+        double             dry    = soil.above_line * (stretch.high - border);
+        double             wet    = soil.below_line * (border - low);
+        if (weight_ratio)
+          {
+            if (stretch.high > border)
+              dry *= weight_ratio(soil.material, x, border, stretch.high);
+            if (border > low)
+              wet *= weight_ratio(soil.material_below_line, x, low, border);
+          }
+        stress += dry + wet;
         wet_soil += border - low;
       }
     if (water.empty())
@@ -76,7 +87,9 @@ namespace Waker
 
   template <int dim>
   InGround
-  Ground<dim>::at(const Point<dim> &x, const unsigned int layer) const
+  Ground<dim>::at(const Point<dim>  &x,
+                  const unsigned int layer,
+                  const WeightRatio &weight_ratio) const
   {
     const Depths depths = soil_depths.at(x, layer);
     if (layer >= soil_depths.n_layers())
@@ -84,9 +97,9 @@ namespace Waker
     const auto column = soil_depths.column(x);
     return {depths.below_surface,
             depths.in_layer,
-            vertical_stress(column, x, *pore_water) + quick_loads.stress(x) -
-              load_pressure(x, layer),
-            vertical_stress(column, x, daily_pore_water)};
+            vertical_stress(column, x, *pore_water, weight_ratio) +
+              quick_loads.stress(x) - load_pressure(x, layer),
+            vertical_stress(column, x, daily_pore_water, weight_ratio)};
   }
 
 

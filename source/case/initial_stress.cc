@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The stress of a case at t = 0.
 #include <waker/base/errors.h>
-#include <waker/case/case.h>
+#include <waker/base/host.h>
+#include <waker/case/initial_stress.h>
 #include <waker/case/k0_stress.h>
 #include <waker/case/scene.h>
+#include <waker/mapping/stencil.h>
+#include <waker/mechanics/deformation.h>
+#include <waker/mechanics/energy.h>
+#include <waker/mechanics/time_scheme.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <sstream>
@@ -195,6 +201,70 @@ namespace Waker
   }
 
 
+  template <int dim>
+  void
+  set_initial_acceleration(const Case<dim>     &the_case,
+                           Scene<dim>          &scene,
+                           MaterialPoints<dim> &points)
+  {
+    const double ramp =
+      residual_ramp(0., the_case.parameters.time.ramp_duration);
+    const Stencil<dim> stencil(the_case.grid);
+    NodalVector       &a = scene.nodes.acceleration;
+    a                    = scene.nodes.external_force;
+    a -= scene.nodes.internal_force;
+    for (unsigned int dof = 0; dof < the_case.grid.n_dofs(); ++dof)
+      {
+        const double mass = scene.nodes.mass[dof / dim];
+        a.begin()[dof] *=
+          (mass > 0. && !the_case.fixities.removed()[dof]) ? ramp / mass : 0.;
+      }
+    for (std::size_t q = 0; q < points.n_points(); ++q)
+      points.acceleration[q] = stencil.value(scene.weights[q], a.begin());
+  }
+
+
+  template <int dim>
+  void
+  renew_initial_stress(const Case<dim> &the_case, State<dim> &state)
+  {
+    const GravityParameters &gravity = the_case.parameters.gravity;
+    AssertThrow(the_case.parameters.initial_stress.is_gravity_step(),
+                ExcInternalError());
+    MaterialPoints<dim> &points = state.points;
+    std::fill(points.stress.begin(),
+              points.stress.end(),
+              SymmetricTensor<2, 3>());
+    prepare_domains(the_case.parameters.mapping.domains, points);
+    Scene<dim> scene(the_case);
+    scene.set(points);
+    scene.walls.reinit(points, scene.nodes.mass, 0., state.wall_tractions);
+    if (gravity.initial_stress)
+      {
+        const NodalVector full = scene.nodes.external_force;
+        scene.nodes.external_force *= gravity.initial_share;
+        require_balance(gravity_step(the_case.materials,
+                                     scene.weights,
+                                     the_case.fixities,
+                                     the_case.full_node_mass,
+                                     gravity.tolerance,
+                                     the_case.parameters.mapping,
+                                     scene.nodes,
+                                     points,
+                                     scene.resistances()),
+                        gravity.tolerance,
+                        scene.walls.have_friction());
+        scene.nodes.external_force = full; // the rest acts from now on
+        give_back_memory();                // what the solver took
+      }
+    else
+      scene.set_internal_force(points);
+    set_initial_acceleration(the_case, scene, points);
+    state.energy.elastic_start = elastic_energy(points, the_case.materials);
+    state.energy.elastic       = state.energy.elastic_start;
+  }
+
+
   template void
   Case<2>::set_stress(Scene<2> &);
   template void
@@ -203,4 +273,12 @@ namespace Waker
   Case<2>::carry_daily_stress();
   template void
   Case<3>::carry_daily_stress();
+  template void
+  set_initial_acceleration(const Case<2> &, Scene<2> &, MaterialPoints<2> &);
+  template void
+  set_initial_acceleration(const Case<3> &, Scene<3> &, MaterialPoints<3> &);
+  template void
+  renew_initial_stress(const Case<2> &, State<2> &);
+  template void
+  renew_initial_stress(const Case<3> &, State<3> &);
 } // namespace Waker

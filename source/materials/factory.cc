@@ -18,9 +18,15 @@ namespace Waker
       switch (p.model)
         {
           case MaterialModel::linear_elastic:
-            return std::make_unique<LinearElastic>(density,
-                                                   p.elastic.youngs_modulus,
-                                                   p.elastic.poissons_ratio);
+            {
+              auto law =
+                std::make_unique<LinearElastic>(density,
+                                                p.elastic.youngs_modulus,
+                                                p.elastic.poissons_ratio);
+              if (p.elastic.varies)
+                law->let_stiffness_vary();
+              return law;
+            }
           case MaterialModel::von_mises_softening:
             return make_von_mises_softening(density,
                                             p.elastic,

@@ -36,6 +36,7 @@ namespace Waker
         case MaterialVariable::Role::dilatancy:
         case MaterialVariable::Role::stiffness:
         case MaterialVariable::Role::history:
+        case MaterialVariable::Role::coefficient:
           return false;
       }
     AssertThrow(false, ExcInternalError());
@@ -70,6 +71,25 @@ namespace Waker
     for (unsigned int v = 0; v < list.size(); ++v)
       if (is_strength(list[v].role))
         values[v] /= factor;
+  }
+
+
+  void
+  divide_by_stiffness(const Material        &material,
+                      const unsigned int     n_points,
+                      const Material::Block &block,
+                      const unsigned int     n_rows,
+                      double (*rows)[Material::block_size])
+  {
+    const auto variable = material.stiffness_variable();
+    if (!variable)
+      return;
+    for (unsigned int l = 0; l < n_points; ++l)
+      {
+        const double per_ratio = 1. / block.variables[*variable][l];
+        for (unsigned int a = 0; a < n_rows; ++a)
+          rows[a][l] *= per_ratio;
+      }
   }
 
 

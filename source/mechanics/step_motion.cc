@@ -113,8 +113,9 @@ namespace Waker
                           MaterialPoints<dim>   &points,
                           StressReport          &report) const
   {
-    double energy[N];
-    material.elastic_energy(block, energy);
+    double energy[1][N];
+    material.elastic_energy(block, energy[0]);
+    divide_by_stiffness(material, range.size(), block, 1, energy);
     for (unsigned int l = 0; l < range.size(); ++l)
       {
         const std::size_t p     = range.begin + l;
@@ -133,7 +134,7 @@ namespace Waker
         report.work_start += V * start;
         report.work_end += V * end;
         report.dissipation += V * block.dissipation[l];
-        report.elastic_energy += V * energy[l];
+        report.elastic_energy += V * energy[0][l];
       }
   }
 
@@ -152,6 +153,8 @@ namespace Waker
     load_gradients(range, motion);
     double D[n * n][N], turned[6][N], volume[N] = {};
     std::copy_n(&trial.stress[0][0], 6 * N, &turned[0][0]);
+    // It counts over 2 G.
+    divide_by_stiffness(material, range.size(), trial, 6, turned);
     std::fill_n(&D[0][0], n * n * N, 0.);
     material.tangent_block(
       range.size(), trial, n, BlockMotion<dim>::components, D);

@@ -140,6 +140,23 @@ namespace Waker
         const StrengthFrom from = m.von_mises.strength.from;
         const std::string  choice =
           std::string("Strength from = ") + name_of(from);
+        if (m.model != MaterialModel::mohr_coulomb)
+          warn_unused(m.mohr_coulomb.has_table(),
+                      path + "Shear strength table",
+                      std::string("Model = ") + name_of(m.model),
+                      warnings);
+        else if (m.mohr_coulomb.has_table())
+          {
+            const MohrCoulombParameters usual;
+            warn_unused(m.mohr_coulomb.cohesion != usual.cohesion,
+                        path + "Cohesion",
+                        "Shear strength table",
+                        warnings);
+            warn_unused(m.mohr_coulomb.friction_angle != usual.friction_angle,
+                        path + "Friction angle",
+                        "Shear strength table",
+                        warnings);
+          }
         if (m.model != MaterialModel::von_mises_softening)
           {
             warn_unused(from != StrengthFrom::place,

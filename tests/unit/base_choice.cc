@@ -117,7 +117,7 @@ namespace base_choice
     check_names<LoadTarget>(4);
     check_names<LoadedPoints>(2);
     check_names<LoadMass>(2);
-    check_names<FieldProperty>(6);
+    check_names<FieldProperty>(16);
     check_names<PorePressureOf>(2);
     check_names<StressFrom>(2);
     check_names<BalanceLaws>(2);

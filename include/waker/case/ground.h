@@ -7,6 +7,7 @@
 #include <waker/particles/place_expression.h>
 #include <waker/particles/soil_depths.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -33,10 +34,20 @@ namespace Waker
            const Parameters          &parameters,
            const PoreWater<dim>      &pore_water);
 
+    /// The mean ratio of the unit weights of soil to those of its material, of
+    /// a vertical line from `low` to `high` (m) at x.
+    using WeightRatio = std::function<double(const unsigned int material,
+                                             const Point<dim>  &x,
+                                             const double       low,
+                                             const double       high)>;
+
     /// @param layer number of the layer that the place belongs to; one that
     /// there is not (of soil that flows in): all is NaN
+    /// @param weight_ratio of soil whose weight varies; empty: 1
     InGround
-    at(const Point<dim> &x, const unsigned int layer) const;
+    at(const Point<dim>  &x,
+       const unsigned int layer,
+       const WeightRatio &weight_ratio = {}) const;
 
     /// The points' scalar "pore pressure of loads" (kPa), of quick loads; made
     /// if there are any.
@@ -77,10 +88,10 @@ namespace Waker
           const std::string          &path) const;
 
   private:
-    /// kN/m^3
-    struct UnitWeights
+    struct SoilOfLayer
     {
-      double above_line, below_line;
+      double       above_line, below_line; // unit weight, kN/m^3
+      unsigned int material, material_below_line;
     };
 
     using Column = std::vector<typename SoilDepths<dim>::InLayer>;
@@ -89,7 +100,8 @@ namespace Waker
     double
     vertical_stress(const Column         &column,
                     const Point<dim>     &x,
-                    const PoreWater<dim> &water) const;
+                    const PoreWater<dim> &water,
+                    const WeightRatio    &weight_ratio) const;
 
     /// Of quick loads, in the water there (kPa).
     double
@@ -97,7 +109,7 @@ namespace Waker
 
     SoilDepths<dim>          soil_depths;
     QuickLoads<dim>          quick_loads;
-    std::vector<UnitWeights> unit_weights; // by layer
+    std::vector<SoilOfLayer> soils; // by layer
     const PoreWater<dim>    *pore_water;
     PoreWater<dim>           daily_pore_water;
     double                   water_weight; // kN/m^3
