@@ -3,6 +3,7 @@
 #include <waker/case/state.h>
 #include <waker/loads/water_level.h>
 #include <waker/mechanics/energy.h>
+#include <waker/mechanics/time_scheme.h>
 
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
@@ -62,7 +63,7 @@ namespace Waker
         .failure &state.sliding &state.rest &state.mean_plastic_strain &state
         .displacement_rate &state.last_dt &state.halvings &state
         .steps_since_change &state.newton_iterations &state
-        .linear_iterations                           &state.unconverged_steps;
+        .linear_iterations &state.unconverged_steps &state.long_steps;
     }
   } // namespace
 
@@ -108,6 +109,12 @@ namespace Waker
     state.pore_water =
       the_case.pore_water.start(WaterLevel(the_case.parameters.water).at(0.));
     the_case.flow.start(state);
+    // Whether what is there at t = 0 is in balance is seen by a short one.
+    const TimeParameters &time = the_case.parameters.time;
+    state.long_steps.active =
+      scheme_traits(time).has_long_steps && state.energy.kinetic_start == 0.;
+    if (state.long_steps.active)
+      state.halvings = time.maximum_halvings;
     return state;
   }
 

@@ -21,6 +21,7 @@ namespace Waker
     switch (input.time.scheme)
       {
         case Scheme::newmark:
+        case Scheme::static_at_rest:
           return make_newmark(input);
         case Scheme::explicit_steps:
           return make_explicit(input);
@@ -50,6 +51,11 @@ namespace Waker
         case Scheme::quasi_static:
           traits.has_inertia = false;
           traits.is_implicit = true;
+          break;
+        case Scheme::static_at_rest:
+          traits.has_inertia    = true;
+          traits.is_implicit    = true;
+          traits.has_long_steps = true;
           break;
       }
     traits.moves_points = traits.has_inertia || time.move_points;

@@ -28,18 +28,19 @@ namespace Waker
     , scene(the_case)
     , carried(the_case)
     , control(the_case.parameters.time, state)
-    , scheme(make_time_scheme(
-        SchemeInput<dim>{the_case.grid,
-                         scene.weights,
-                         the_case.materials,
-                         the_case.fixities,
-                         the_case.parameters.time,
-                         the_case.parameters.newton,
-                         the_case.parameters.mapping,
-                         the_case.parameters.gravity.acceleration,
-                         the_case.full_node_mass,
-                         scene.resistances()}))
   {
+    const SchemeInput<dim> input{the_case.grid,
+                                 scene.weights,
+                                 the_case.materials,
+                                 the_case.fixities,
+                                 the_case.parameters.time,
+                                 the_case.parameters.newton,
+                                 the_case.parameters.mapping,
+                                 the_case.parameters.gravity.acceleration,
+                                 the_case.full_node_mass,
+                                 scene.resistances()};
+    scheme_in_motion                     = make_time_scheme(input);
+    scheme_at_rest                       = make_scheme_at_rest(input);
     const SlidingMassParameters &sliding = the_case.parameters.sliding;
     if (sliding.watch)
       slides.emplace(the_case.initial_points,
@@ -77,18 +78,24 @@ namespace Waker
   void
   Realisation<dim>::advance()
   {
-    const double t     = state->time;
-    NodalState  &nodes = scene.nodes;
+    const double          t     = state->time;
+    NodalState           &nodes = scene.nodes;
+    const StopParameters &stop  = the_case->parameters.stop;
+    if (is_at_rest(stop, state->rest, t))
+      control.try_long_steps(stop.rest_duration);
     scene.begin_step();
     settlements.begin(state->points);
     const double dt =
-      control.solve(scheme->time_step(state->points), [&](const double tried) {
-        scene.set_end_loads(*state, t + tried); // weight, water, loads
-        // 2.23 with 2.28, or 2.34
-        return report = scheme->solve(state->points, t, tried, nodes);
-      });
+      control.solve([&]() { return wanted_step(); },
+                    [&](const double tried) {
+                      scene.set_end_loads(*state,
+                                          t + tried); // weight, water, loads
+                      // 2.23 with 2.28, or 2.34
+                      return report =
+                               scheme().solve(state->points, t, tried, nodes);
+                    });
     // Stress and motion: 2.33, 2.38-2.40, or 2.35-2.37
-    scheme->to_points(t, dt, nodes, state->points, report);
+    scheme().to_points(t, dt, nodes, state->points, report);
     report.held_domains    = carried.move(nodes, *state); // domains, surfaces
     state->settlement_rate = settlements.largest(state->points) / dt;
     report.check_finite(t + dt);
@@ -130,8 +137,9 @@ namespace Waker
   {
     const Parameters &parameters = the_case->parameters;
     // Load steps are in balance, each as it is: they need no time to rest.
-    const bool   is_static = !scheme_traits(parameters.time).has_inertia;
-    const double time      = state->time;
+    const bool is_static =
+      !scheme_traits(parameters.time).has_inertia || state->long_steps.last;
+    const double time = state->time;
     const double since =
       is_static ? time : std::max(0., time - parameters.stop.rest_duration);
 
@@ -169,9 +177,24 @@ namespace Waker
 
   template <int dim>
   double
+  Realisation<dim>::wanted_step() const
+  {
+    const double          step = scheme().time_step(state->points);
+    const TimeParameters &time = the_case->parameters.time;
+    return control.is_long()
+             ? scene.water.level().longest_step(state->time,
+                                                step,
+                                                time.largest_rise,
+                                                time.time_step)
+             : step;
+  }
+
+
+  template <int dim>
+  double
   Realisation<dim>::next_time_step() const
   {
-    return control.next(scheme->time_step(state->points));
+    return control.next(wanted_step());
   }
 
 

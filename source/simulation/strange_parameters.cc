@@ -8,6 +8,7 @@
 #include <waker/simulation/plausibility.h>
 
 #include "plausible_ranges.h"
+#include "storm_warnings.h"
 #include "strange_pore_water.h"
 #include "strange_softening.h"
 #include "unused_parameters.h"
@@ -302,6 +303,8 @@ namespace Waker
     check_water(p, warnings);
     check_liquids(p, warnings);
     warn_of_pore_water(p, warnings);
+    for (const std::string &text : storm_warnings(p))
+      warnings.push_back(text);
     for (const std::string &text : unused_in_load_programmes(p))
       warnings.push_back(text);
 

@@ -189,5 +189,23 @@ namespace Waker
                 "Time stepping/Courant number",
                 std::string("Scheme = ") + name_of(p.time.scheme),
                 warnings);
+    const bool has_long_steps = scheme_traits(p.time).has_long_steps;
+    const auto warn_of_time = [&](const bool is_set, const std::string &name) {
+      warn_unused(is_set,
+                  "Time stepping/" + name,
+                  std::string("Scheme = ") + name_of(p.time.scheme),
+                  warnings);
+    };
+    warn_of_time(!has_long_steps && p.time.longest_step != usual.longest_step,
+                 "Longest step");
+    warn_of_time(!has_long_steps && p.time.largest_rise != usual.largest_rise,
+                 "Largest rise");
+    warn_of_time(!has_long_steps &&
+                   p.time.largest_displacement != usual.largest_displacement,
+                 "Largest displacement");
+    warn_of_time(has_long_steps && p.time.load_duration != usual.load_duration,
+                 "Load duration");
+    warn_of_time(has_long_steps && p.time.move_points != usual.move_points,
+                 "Move points");
   }
 } // namespace Waker

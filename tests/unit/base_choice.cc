@@ -91,7 +91,7 @@ namespace base_choice
 
   TEST(Base, names_of_all_choices)
   {
-    check_names<Scheme>(3);
+    check_names<Scheme>(4);
     check_names<Tangent>(2);
     check_names<StrainMeasure>(2);
     check_names<VolumetricStrain>(3);

@@ -2,6 +2,7 @@
 #ifndef waker_case_state_h
 #define waker_case_state_h
 
+#include <waker/control/long_steps.h>
 #include <waker/control/stop_rules.h>
 #include <waker/loads/pore_water.h>
 #include <waker/loads/tractions.h>
@@ -60,6 +61,7 @@ namespace Waker
     std::uint64_t newton_iterations  = 0;
     std::uint64_t linear_iterations  = 0;
     std::uint64_t unconverged_steps  = 0; // attempts given up
+    LongSteps     long_steps;             // if the scheme has them
 
     /// To and from bytes, for checkpoints: exact, for the same program and
     /// machine. read() throws std::exception if the bytes are not a state.
