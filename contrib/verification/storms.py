@@ -16,7 +16,6 @@ from common import plt, save
 from dyke_runs import draw_points, workspace, write_csv
 
 CASE = "verification/dyke_storm.prm"
-SAND = "verification/dyke_rising_line.prm"
 STORM = [(0, 3), (3600, 1.5), (14400, 4.6), (21600, 3)]  # s, m
 WIDE = {"Soil profile/dyke/Polygon": "0, 0; 35, 0; 20, 5; 10, 5"}
 # Coarse, and as near to failure.
@@ -181,11 +180,10 @@ def path(work):
         "elastic clay, ten times as stiff":
             (CASE, {**clay, "Materials/clay/Initial strength": 100,
                     "Materials/clay/Young's modulus": 10000}, 3, 4.5, 3600),
-        "clay that yields, 3 to 4.5 m": (CASE, yields, 3, 4.5, 3600),
-        "drained soil, 1 to 3 m": (SAND, rest, 1, 3, 3600)}
+        "clay that yields, 3 to 4.5 m": (CASE, yields, 3, 4.5, 3600)}
     for name, (file, sets, low, high, end) in cases.items():
         ends = {}
-        base = 1 if file == SAND else 1.5
+        base = 1.5
         for kind, text in (("rose", f"0: {low - base}, {end}: {high - base}"),
                            ("stood", f"{high - base}"), ("low", f"{low - base}")):
             run = work.run(re.sub(r"\W", "_", name) + kind, file, {
@@ -194,8 +192,7 @@ def path(work):
             ends[kind] = run.points()
         x0 = ends["stood"]["position"] - ends["stood"]["displacement"]
         x, y = x0[:, 0], x0[:, 1]
-        surface = (np.minimum(np.minimum(x, 28 - x) / 3, 4) if file == SAND
-                   else np.minimum(np.minimum(x / 2, (30 - x) / 3), 5))
+        surface = np.minimum(np.minimum(x / 2, (30 - x) / 3), 5)
         away = y < surface - 1
         d = difference(ends["rose"], ends["stood"], away)
         whole = difference(ends["low"], ends["stood"], away)
