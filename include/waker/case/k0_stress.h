@@ -3,6 +3,7 @@
 #define waker_case_k0_stress_h
 
 #include <waker/case/ground.h>
+#include <waker/materials/factory.h>
 #include <waker/mechanics/stress_update.h>
 
 #include <vector>
