@@ -172,7 +172,8 @@ namespace simulation_step_control
       }
     catch (const UserError &error)
       {
-        EXPECT_EQ(error.allowed, "Newmark, quasi-static or quasi-static at rest");
+        EXPECT_EQ(error.allowed,
+                  "Newmark, quasi-static or quasi-static at rest");
       }
   }
 } // namespace simulation_step_control
