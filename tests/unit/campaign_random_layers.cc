@@ -218,6 +218,8 @@ namespace campaign_random_layers
     const Drawn         drawn({"Random fields/Names=a, E",
                                E + "Material=clay",
                                E + "Property=Young's modulus",
+                               E + "Distribution=lognormal",
+                               E + "Minimum=200",
                                E + "Coefficient of variation=0.3"});
     std::vector<double> ratio, S;
     for (const std::size_t q : drawn.points_of(1))

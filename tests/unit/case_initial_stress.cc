@@ -104,7 +104,7 @@ namespace case_initial_stress
                            {"Initial stress/Laws=plastic",
                             "Walls/Names=w",
                             "Walls/w/Line=-1, 0.1; 3, 0.1"}),
-                      "Initial stress/Laws",
+                      "--set Initial stress/Laws",
                       "not carried from load step to load step");
   }
 

@@ -383,7 +383,9 @@ namespace simulation_long_steps
                   section + name,
                   "is " + (value == "0" ? value : "1e+308"));
     refuses({"Outflow/Faces=right"}, "Outflow/Faces", "no balance of momentum");
-    refuses({"Materials/clay/Regularisation=nonlocal",
+    refuses({"Materials/clay/Softening modulus=-20",
+             "Materials/clay/Residual strength=5",
+             "Materials/clay/Regularisation=nonlocal",
              "Materials/clay/Averaging length=2"},
             "Materials/clay/Regularisation",
             "softens soil after a step");
