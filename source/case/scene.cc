@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/case/rank_part.h>
 #include <waker/case/scene.h>
 #include <waker/mapping/transfer.h>
 #include <waker/mechanics/point_motion.h>
@@ -10,7 +11,7 @@
 namespace Waker
 {
   template <int dim>
-  Scene<dim>::Scene(const Case<dim> &the_case)
+  Scene<dim>::Scene(const Case<dim> &the_case, RankPart<dim> *const part)
     : weights(the_case.grid, the_case.parameters.mapping.functions)
     , nodes(the_case.grid)
     , surfaces(the_case.grid,
@@ -29,6 +30,7 @@ namespace Waker
             stiffest_modulus(the_case.materials),
             the_case.full_node_mass)
     , the_case(&the_case)
+    , part(part)
     , point_loads(the_case.grid)
     , driven(the_case.grid, the_case.programmes, the_case.parameters)
   {}
@@ -59,8 +61,21 @@ namespace Waker
   void
   Scene<dim>::map(const MaterialPoints<dim> &points)
   {
+    if (part != nullptr)
+      {
+        part->map(nodes.mass);
+        return;
+      }
     weights.reinit(points);
     to_nodes(points, weights, nodes);
+  }
+
+
+  template <int dim>
+  NodalState &
+  Scene<dim>::step_nodes()
+  {
+    return part != nullptr ? *part->nodes : nodes;
   }
 
 
@@ -101,7 +116,8 @@ namespace Waker
   Scene<dim>::set_loads(State<dim> &state)
   {
     // What a load programme adds is known from the step before.
-    the_case->pore_water.record(state.points, water.level().at(state.time));
+    the_case->pore_water.record(part != nullptr ? part->points() : state.points,
+                                water.level().at(state.time));
     do_at_step(state.step,
                [&]() { add_up_loads(state.points, state.time, state.loads); });
     tractions.record(state.time, state.tractions);
@@ -130,7 +146,7 @@ namespace Waker
   Scene<dim>::begin_step()
   {
     if (loads_move())
-      nodes.start_force = nodes.external_force;
+      step_nodes().start_force = step_nodes().external_force;
   }
 
 
@@ -223,9 +239,10 @@ namespace Waker
     water_resultant = water.resultant();
     tractions.add(
       time, points, nodes.mass, the_case->full_node_mass, nodes.external_force);
-    the_case->pore_water.add_nodal_forces(points,
-                                          weights,
-                                          nodes.external_force);
+    if (part == nullptr)
+      the_case->pore_water.add_nodal_forces(points,
+                                            weights,
+                                            nodes.external_force);
     if (!points.load.empty())
       {
         // Eq. 3.2, with linear functions also under GIMP.
@@ -235,6 +252,8 @@ namespace Waker
             point_loads.add(points.position[p], points.load[p]);
         point_loads.distribute(nodes.mass, 0., nodes.external_force);
       }
+    if (part != nullptr)
+      part->take_loads(nodes.external_force);
   }
 
 
@@ -242,12 +261,23 @@ namespace Waker
   void
   Scene<dim>::set_internal_force(const MaterialPoints<dim> &points)
   {
-    nodes.internal_force = 0.;
-    const auto motion    = make_point_motion<dim>(the_case->parameters.mapping);
-    motion->start(points, weights);
-    motion->add_force_of_stress(points, weights, nodes.internal_force);
+    NodalVector &force = step_nodes().internal_force;
+    force              = 0.;
+    const auto motion  = make_point_motion<dim>(the_case->parameters.mapping);
+    const auto add     = [&](const MaterialPoints<dim> &points,
+                         const Weights<dim>        &weights) {
+      motion->start(points, weights);
+      motion->add_force_of_stress(points, weights, force);
+    };
+    if (part != nullptr)
+      {
+        add(part->points(), *part->weights);
+        part->grid->exchange().sum({{force.begin(), dim}});
+      }
+    else
+      add(points, weights);
     for (Resistance<dim> *const resistance : resistances())
-      resistance->add_start_force(nodes.internal_force);
+      resistance->add_start_force(force);
   }
 
 

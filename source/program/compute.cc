@@ -129,11 +129,11 @@ namespace Waker
     int
     run_one(const CommandLine &line, const Input &input)
     {
-      if (n_ranks() > 1)
+      if (n_ranks() > 1 && line.command == Command::strength_reduction)
         throw UserError("command line",
-                        "started on " + std::to_string(n_ranks()) + " ranks",
-                        "one rank per realisation for now; waker campaign "
-                        "takes any number");
+                        "a strength reduction is started on " +
+                          std::to_string(n_ranks()) + " ranks",
+                        "one rank for it, for now");
       RunOptions options;
       options.validate_only  = line.validate_only;
       options.resume         = line.resume;
