@@ -11,6 +11,7 @@ import numpy as np
 from common import plt, save
 from dyke_runs import draw_points, sampled, workspace, write_csv
 import dyke_measures as measures
+from slip_surface import horizontal_width
 
 CELLS = (0.5, 0.25, 0.125)
 WIDTH = "Dyke width W (m)"
@@ -22,23 +23,6 @@ SEARCH = {"Strength reduction/Lower factor": 1,
 
 def text(value):
     return "none" if value is None else f"{value:.2f}"
-
-
-def shear_band_width(points, cell, c):
-    """Horizontal width (m) at a height of 2 m of the main slip: from the first
-    point, seen from the water, that has lost more than half of what it can lose
-    of its strength, to the next one that has not."""
-    x, y = points["position"][:, 0], points["position"][:, 1]
-    row = np.abs(y - 2.0) < 0.5 * cell
-    order = np.argsort(x[row])
-    intact = points["undrained_shear_strength"][row][order] \
-        > 0.5 * (c + c / 2.6)
-    x = x[row][order]
-    if intact.all():
-        return 0.0
-    start = np.argmin(intact)
-    after = intact[start:]
-    return (x[start + np.argmax(after)] if after.any() else x[-1]) - x[start]
 
 
 with workspace(__doc__) as work:
@@ -68,7 +52,7 @@ with workspace(__doc__) as work:
                             **measures.strength(c, c / 2.6)})
             start = run["initial_failure_time"]
             band = ("" if start is None else
-                    f"{shear_band_width(run.points(start + 1), cell, c):.2f}")
+                    f"{horizontal_width(run.points(start + 1), cell, c):.2f}")
             print(f"| h = {cell} | c_i = {c} | {run['outcome']} | "
                   f"{text(start)} | {text(run['flooding_time'])} | {band} | "
                   f"{run['unconverged_steps']} unconverged | "

@@ -266,7 +266,14 @@ namespace Waker
                       "there is no material",
                       "the names of the materials, separated by commas");
     for (const MaterialParameters &material : materials)
-      material.check(dimension, grid.cell_size);
+      {
+        material.check(dimension, grid.cell_size);
+        if (material.regularisation == Regularisation::nonlocal &&
+            material.softens())
+          material.nonlocal.check_used("Materials/" + material.name + "/",
+                                       grid.cell_size /
+                                         points.points_per_direction);
+      }
 
     if (layers.empty())
       throw UserError("Soil profile/Layers",

@@ -8,8 +8,8 @@ namespace Waker
                 const double              gravity,
                 const double              cell_size)
   {
-    const double density = p.unit_weight / gravity;
-    const double scale   = p.softening_scale(cell_size);
+    const double           density = p.unit_weight / gravity;
+    const SofteningMeasure measure = p.softening_measure(cell_size);
     switch (p.model)
       {
         case MaterialModel::linear_elastic:
@@ -20,13 +20,13 @@ namespace Waker
           return make_von_mises_softening(density,
                                           p.elastic,
                                           p.von_mises,
-                                          scale,
+                                          measure,
                                           "Materials/" + p.name + "/");
         case MaterialModel::mohr_coulomb:
           return make_mohr_coulomb(density,
                                    p.elastic,
                                    p.mohr_coulomb,
-                                   scale,
+                                   measure,
                                    "Materials/" + p.name + "/");
       }
     AssertThrow(false, ExcInternalError());

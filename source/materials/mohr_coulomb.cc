@@ -3,6 +3,7 @@
 #include <waker/materials/principal_stress.h>
 
 #include "mohr_coulomb_return.h"
+#include "softening_history.h"
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
@@ -71,18 +72,21 @@ namespace Waker
   {}
 
 
-  MohrCoulomb::MohrCoulomb(const double  density,
-                           const double  youngs_modulus,
-                           const double  poissons_ratio,
-                           const Angles &peak,
-                           const double  tensile_strength,
-                           const Angles &residual,
-                           const double  softening_strain)
+  MohrCoulomb::MohrCoulomb(const double            density,
+                           const double            youngs_modulus,
+                           const double            poissons_ratio,
+                           const Angles           &peak,
+                           const double            tensile_strength,
+                           const Angles           &residual,
+                           const double            softening_strain,
+                           const SofteningMeasure &measure)
     : LinearElastic(density, youngs_modulus, poissons_ratio)
     , peak(peak)
     , residual(residual)
     , tensile_strength(tensile_strength)
-    , softening_strain(softening_strain)
+    , softening_strain(measure.is_local() ? softening_strain / measure.own
+                                          : softening_strain)
+    , measure(measure)
   {
     Assert(tensile_strength >= 0. && softening_strain >= 0.,
            ExcMessage("neither tensile strength nor softening strain is "
@@ -126,7 +130,25 @@ namespace Waker
                        Role::dilatancy});
       }
     all.push_back({"plastic strain", "-", 0., Role::history});
+    if (!measure.is_local())
+      append_softening_history(all);
     return all;
+  }
+
+
+  bool
+  MohrCoulomb::can_soften(const double *variables) const
+  {
+    return softens() &&
+           variables[number_of_softening_strain()] < softening_strain;
+  }
+
+
+  void
+  MohrCoulomb::soften(const double increment, double *variables) const
+  {
+    grow_softening_strain(increment,
+                          variables + number_of_plastic_strain() + 1);
   }
 
 
@@ -238,8 +260,9 @@ namespace Waker
   {
     double &plastic_strain = variables[number_of_plastic_strain()];
     add_elastic_stress(strain_increment, stress);
-    const PrincipalStress trial    = principal_stress(stress);
-    MohrCoulombStrength   strength = strength_at(plastic_strain, variables);
+    const PrincipalStress trial = principal_stress(stress);
+    MohrCoulombStrength   strength =
+      strength_at(variables[number_of_softening_strain()], variables);
     if (MohrCoulombReturn::holds(trial.value, strength))
       {
         if (tangent != nullptr)
@@ -250,14 +273,14 @@ namespace Waker
     const double            lame = K - 2. / 3. * G;
     const MohrCoulombReturn map(G, lame);
     double                  end = plastic_strain;
-    if (softens())
+    if (softens_in_step())
       end = plastic_strain_after(
         plastic_strain, softening_strain, [&](const double k) {
           const auto at_k = map(trial.value, strength_at(k, variables));
           return MohrCoulombReturn::equivalent(at_k.plastic_strain);
         });
     MohrCoulombStrength rate = {};
-    if (softens())
+    if (softens_in_step())
       strength = strength_at(end, variables, &rate);
     const auto result = map(trial.value, strength);
     plastic_strain += MohrCoulombReturn::equivalent(result.plastic_strain);

@@ -55,10 +55,11 @@ namespace Waker
 
     // Sine and cosine cost as much as all of that; neighbours often have the
     // same strengths. Without softening the plastic strain is none of them.
-    const unsigned int  plastic      = number_of_plastic_strain();
-    const unsigned int  n_matters    = softens() ? plastic + 1 : plastic;
-    double              variables[7] = {};
-    MohrCoulombStrength strength     = {};
+    const unsigned int  plastic   = number_of_plastic_strain();
+    const unsigned int  strain    = number_of_softening_strain();
+    const unsigned int  n_matters = softens() ? strain + 1 : plastic;
+    double              variables[most_variables] = {};
+    MohrCoulombStrength strength                  = {};
     for (unsigned int l = 0; l < n_points; ++l)
       {
         bool is_new = l == 0;
@@ -68,7 +69,7 @@ namespace Waker
             variables[v] = block.variables[v][l];
           }
         if (is_new)
-          strength = strength_at(block.variables[plastic][l], variables);
+          strength = strength_at(block.variables[strain][l], variables);
         is_elastic[l] = half[l] + strength.sin_phi * middle[l] <
                           strength.cohesion * strength.cos_phi &&
                         largest[l] < strength.tension;
@@ -83,8 +84,9 @@ namespace Waker
     double trial[6][block_size];
     bool   is_elastic[block_size];
     find_elastic(n_points, block, trial, is_elastic);
-    const unsigned int    plastic = number_of_plastic_strain();
-    double                variables[7];
+    const unsigned int    plastic     = number_of_plastic_strain();
+    const unsigned int    n_variables = number_of_softening_strain() + 1;
+    double                variables[most_variables];
     SymmetricTensor<2, 3> strain, stress;
     for (unsigned int l = 0; l < n_points; ++l)
       if (is_elastic[l])
@@ -95,7 +97,7 @@ namespace Waker
         }
       else
         {
-          for (unsigned int v = 0; v <= plastic; ++v)
+          for (unsigned int v = 0; v < n_variables; ++v)
             variables[v] = block.variables[v][l];
           for (unsigned int a = 0; a < 6; ++a)
             {
@@ -126,13 +128,14 @@ namespace Waker
                     block_size,
                     elastic_tangent.access_raw_entry(6 * components[a] +
                                                      components[b]));
-    double                variables[7];
+    const unsigned int    n_variables = number_of_softening_strain() + 1;
+    double                variables[most_variables];
     SymmetricTensor<2, 3> strain, stress;
     SymmetricTensor<4, 3> D;
     for (unsigned int l = 0; l < n_points; ++l)
       if (!is_elastic[l])
         {
-          for (unsigned int v = 0; v <= number_of_plastic_strain(); ++v)
+          for (unsigned int v = 0; v < n_variables; ++v)
             variables[v] = block.variables[v][l];
           for (unsigned int a = 0; a < 6; ++a)
             {

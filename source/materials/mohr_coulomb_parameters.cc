@@ -71,7 +71,7 @@ namespace Waker
       "Plastic strain sqrt(2/3 e:e) (-), of the deviator, at "
       "which cohesion and angles have fallen to their residual "
       "values, linearly. 0: no softening. It belongs to the cell "
-      "size, unless there is a softening length.",
+      "size, unless there is a softening length, or nonlocal softening.",
       Patterns::Double(0.));
   }
 
@@ -245,7 +245,7 @@ namespace Waker
   make_mohr_coulomb(const double                   density,
                     const LinearElasticParameters &elastic,
                     const MohrCoulombParameters   &p,
-                    const double                   softening_scale,
+                    const SofteningMeasure        &measure,
                     const std::string             &path)
   {
     // What is as before softening is a number where that is one.
@@ -285,6 +285,7 @@ namespace Waker
                                    "dilatancy_angle",
                                    dilatancy,
                                    "Residual dilatancy angle")},
-      p.softening_strain / softening_scale);
+      p.softening_strain,
+      measure);
   }
 } // namespace Waker

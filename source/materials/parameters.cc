@@ -43,6 +43,15 @@ namespace Waker
                       "as clay that drains above the line and not below. "
                       "Empty: it is the same below.",
                       Patterns::Anything());
+    add_choice(prm,
+               "Regularisation",
+               regularisation,
+               "What keeps softening from belonging to the cells. softening "
+               "length: plastic strain is scaled by the cell size, see there; "
+               "with a length of 0, the default, nothing does. nonlocal: the "
+               "strain that softens a point is that of its surroundings, see "
+               "Averaging length. For new work nonlocal is recommended, with "
+               "cells of at most the averaging length; the thesis has none.");
     prm.add_parameter(
       "Softening length",
       softening_length,
@@ -53,6 +62,7 @@ namespace Waker
       "softens by its plastic strain, and results depend on "
       "the cell size.",
       Patterns::Double(0.));
+    nonlocal.add_parameters(prm);
     elastic.add_parameters(prm);
     von_mises.add_parameters(prm);
     mohr_coulomb.add_parameters(prm);
@@ -81,20 +91,61 @@ namespace Waker
       throw UserError(path + "Softening length",
                       "is " + in_digits(softening_length) + " m",
                       "a width (m) above 0; 0: softening by the cells");
+    nonlocal.check(path);
     elastic.check(path);
     von_mises.check_expressions(path, dim); // whatever the model
     mohr_coulomb.check_expressions(path, dim);
+    const double scale = softening_measure(cell_size).of_uniform_strain();
     switch (model)
       {
         case MaterialModel::linear_elastic:
           return;
         case MaterialModel::von_mises_softening:
-          von_mises.check(path, elastic, softening_scale(cell_size));
+          von_mises.check(path, elastic, scale);
           return;
         case MaterialModel::mohr_coulomb:
-          mohr_coulomb.check(path, elastic, softening_scale(cell_size));
+          mohr_coulomb.check(path, elastic, scale);
           return;
       }
+  }
+
+
+  SofteningMeasure
+  MaterialParameters::softening_measure(const double cell_size) const
+  {
+    SofteningMeasure measure;
+    if (!softens())
+      return measure;
+    switch (regularisation)
+      {
+        case Regularisation::softening_length:
+          if (softening_length > 0.)
+            measure.own = cell_size / softening_length;
+          return measure;
+        case Regularisation::nonlocal:
+          measure.own      = 1. - nonlocal.over_weight;
+          measure.averaged = nonlocal.over_weight;
+          measure.length   = nonlocal.length;
+          measure.weight   = nonlocal.weight;
+          return measure;
+      }
+    return measure;
+  }
+
+
+  bool
+  MaterialParameters::softens() const
+  {
+    switch (model)
+      {
+        case MaterialModel::linear_elastic:
+          return false;
+        case MaterialModel::von_mises_softening:
+          return von_mises.softening_modulus < 0.;
+        case MaterialModel::mohr_coulomb:
+          return mohr_coulomb.softening_strain > 0.;
+      }
+    return false;
   }
 
 

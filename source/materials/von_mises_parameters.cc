@@ -39,7 +39,7 @@ namespace Waker
       softening_modulus,
       "Slope H_s = dc / d(plastic strain) (kPa), at most 0. 0: "
       "no softening. It belongs to the cell size, unless there is "
-      "a softening length.",
+      "a softening length, or nonlocal softening.",
       Patterns::Double());
     add_choice(prm,
                "Plastic strain invariant",
@@ -125,7 +125,7 @@ namespace Waker
   make_von_mises_softening(const double                       density,
                            const LinearElasticParameters     &elastic,
                            const VonMisesSofteningParameters &parameters,
-                           const double                       softening_scale,
+                           const SofteningMeasure            &measure,
                            const std::string                 &path)
   {
     std::optional<InitialValue> overconsolidation;
@@ -139,8 +139,9 @@ namespace Waker
       initial_value(parameters.strength_expression(path),
                     path + parameters.strength.name_of_parameter()),
       initial_value(parameters.residual_strength, path + "Residual strength"),
-      softening_scale * parameters.softening_modulus,
+      parameters.softening_modulus,
       parameters.plastic_strain_invariant,
-      overconsolidation);
+      overconsolidation,
+      measure);
   }
 } // namespace Waker

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/materials/von_mises_softening.h>
 
+#include "softening_history.h"
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -21,16 +22,23 @@ namespace Waker
     const InitialValue                &residual_strength,
     const double                       softening_modulus,
     const Invariant                    invariant,
-    const std::optional<InitialValue> &overconsolidation_ratio)
+    const std::optional<InitialValue> &overconsolidation_ratio,
+    const SofteningMeasure            &measure)
     : LinearElastic(density, youngs_modulus, poissons_ratio)
     , initial_strength(initial_strength)
     , residual_strength(residual_strength)
     , plastic_strain_factor(invariant == Invariant::equivalent ? 1.
                                                                : sqrt_3 / 2.)
-    , softening(softening_modulus * plastic_strain_factor)
+    , softening(measure.is_local()
+                  ? measure.own * softening_modulus * plastic_strain_factor
+                  : 0.)
     , overconsolidation_ratio(overconsolidation_ratio)
+    , measure(measure)
+    , softening_modulus(softening_modulus)
   {
-    Assert(3. * G + sqrt_3 * softening > 0.,
+    Assert(3. * G + sqrt_3 * measure.of_uniform_strain() * softening_modulus *
+                      plastic_strain_factor >
+             0.,
            ExcMessage("the softening modulus snaps back"));
   }
 
@@ -57,7 +65,28 @@ namespace Waker
                       "-",
                       *overconsolidation_ratio,
                       Role::history});
+    if (!measure.is_local())
+      append_softening_history(list);
     return list;
+  }
+
+
+  bool
+  VonMisesSoftening::can_soften(const double *variables) const
+  {
+    return softening_modulus < 0. && variables[0] > variables[1];
+  }
+
+
+  void
+  VonMisesSoftening::soften(const double increment, double *variables) const
+  {
+    const double growth =
+      grow_softening_strain(increment,
+                            variables + (overconsolidation_ratio ? 4 : 3));
+    const double residual = std::min(variables[1], variables[0]);
+    variables[0] =
+      std::max(residual, variables[0] + softening_modulus * growth);
   }
 
 

@@ -53,6 +53,7 @@ namespace Waker
                                   std::unique_ptr<PointMotion<dim>> motion)
     : materials(&materials)
     , motion(std::move(motion))
+    , nonlocal(materials)
   {
     for (const auto &material : materials)
       {
@@ -247,8 +248,10 @@ namespace Waker
 
   template <int dim>
   StressReport
-  StressUpdate<dim>::accept(MaterialPoints<dim> &points) const
+  StressUpdate<dim>::accept(MaterialPoints<dim> &points)
   {
+    if (nonlocal.is_used())
+      increments.assign(points.n_points(), 0.);
     const int    plastic = points.find_scalar("plastic strain");
     StressReport report;
     Work         work;
@@ -269,12 +272,19 @@ namespace Waker
               {
                 double &value = values[range.begin + l];
                 if (array == plastic)
-                  report.plastic_strain += work.variables[v][l] - value;
+                  {
+                    const double increment = work.variables[v][l] - value;
+                    report.plastic_strain += increment;
+                    if (!increments.empty())
+                      increments[range.begin + l] = increment;
+                  }
                 value = work.variables[v][l];
               }
           }
       }
     report.plastic_strain /= std::max<std::size_t>(points.n_points(), 1);
+    if (nonlocal.is_used())
+      nonlocal.soften(increments, variable_arrays, points);
     return report;
   }
 

@@ -97,6 +97,17 @@ namespace Waker
         }
       return text.str();
     }
+
+    /// What softens it, if that is not itself alone.
+    std::string
+    surroundings(const MaterialParameters &material)
+    {
+      std::ostringstream text;
+      if (material.regularisation == Regularisation::nonlocal &&
+          material.softens())
+        text << ", nonlocal over " << material.nonlocal.length << " m";
+      return text.str();
+    }
   } // namespace
 
 
@@ -137,9 +148,10 @@ namespace Waker
       log.line("  points    none");
     for (unsigned int m = 0; m < p.materials.size(); ++m)
       say(log,
-          "  material  %s: %s%s",
+          "  material  %s: %s%s%s",
           p.materials[m].name.c_str(),
           name_of(p.materials[m].model),
+          surroundings(p.materials[m]).c_str(),
           m < the_case.materials.size()
             ? ranges(points, m, *the_case.materials[m]).c_str()
             : "");

@@ -8,6 +8,7 @@
 #include <waker/simulation/plausibility.h>
 
 #include "plausible_ranges.h"
+#include "strange_softening.h"
 #include "unused_parameters.h"
 #include <algorithm>
 #include <cmath>
@@ -200,54 +201,6 @@ namespace Waker
     }
 
 
-    /// Softening that is nearly, or under pressure, as steep as unloading.
-    void
-    check_softening(const MaterialParameters &m,
-                    const double              cell_size,
-                    std::vector<std::string> &warnings)
-    {
-      constexpr double   near_by = 0.8, usual_pressure = 200.; // -, kPa
-      const double       scale = m.softening_scale(cell_size);
-      const std::string  path  = "Materials/" + m.name + "/";
-      std::ostringstream text;
-      switch (m.model)
-        {
-          case MaterialModel::linear_elastic:
-            return;
-          case MaterialModel::von_mises_softening:
-            {
-              const double limit =
-                m.von_mises.snap_back_modulus(m.elastic, scale);
-              if (-m.von_mises.softening_modulus < near_by * limit)
-                return;
-              text << path << "Softening modulus is "
-                   << m.von_mises.softening_modulus
-                   << " kPa, and points snap back from " << -limit
-                   << " kPa on; within a fifth of that Newton may not converge";
-              break;
-            }
-          case MaterialModel::mohr_coulomb:
-            {
-              const double strain = m.mohr_coulomb.softening_strain;
-              const double least =
-                m.mohr_coulomb.snap_back_strain(m.elastic, scale, 0.);
-              const double deep =
-                m.mohr_coulomb.snap_back_strain(m.elastic,
-                                                scale,
-                                                usual_pressure);
-              if (!(strain > 0.) || strain > deep)
-                return;
-              text << path << "Softening strain is " << strain
-                   << ": points under a pressure (s_1 + s_3)/2 of more than "
-                   << usual_pressure * (strain - least) / (deep - least)
-                   << " kPa lose their friction at once (snap-back)";
-              break;
-            }
-        }
-      warnings.push_back(text.str());
-    }
-
-
     void
     check_material(const MaterialParameters &m, Ranges &ranges)
     {
@@ -309,7 +262,11 @@ namespace Waker
     for (const MaterialParameters &material : p.materials)
       {
         check_material(material, ranges);
-        check_softening(material, p.grid.cell_size, warnings);
+        check_softening(material,
+                        p.grid.cell_size,
+                        p.points.points_per_direction,
+                        p.dimension,
+                        warnings);
       }
     if (p.gravity.acceleration > 0.)
       ranges.check("Gravity/Acceleration",

@@ -20,6 +20,38 @@ namespace Waker
       if (is_set)
         warnings.push_back(path + " is not used with " + choice);
     }
+
+
+    void
+    warn_of_unused_regularisation(const MaterialParameters &m,
+                                  std::vector<std::string> &warnings)
+    {
+      const NonlocalParameters usual;
+      const std::string        path = "Materials/" + m.name + "/";
+      const std::string        choice =
+        std::string("Regularisation = ") + name_of(m.regularisation);
+      const bool is_nonlocal = m.regularisation == Regularisation::nonlocal;
+      warn_unused(is_nonlocal && !m.softens(),
+                  path + choice,
+                  "soil that does not soften",
+                  warnings);
+      warn_unused(is_nonlocal && m.softening_length != 0.,
+                  path + "Softening length",
+                  choice,
+                  warnings);
+      warn_unused(!is_nonlocal && m.nonlocal.length != usual.length,
+                  path + "Averaging length",
+                  choice,
+                  warnings);
+      warn_unused(!is_nonlocal && m.nonlocal.over_weight != usual.over_weight,
+                  path + "Over-weight",
+                  choice,
+                  warnings);
+      warn_unused(!is_nonlocal && m.nonlocal.weight != usual.weight,
+                  path + "Neighbour weight",
+                  choice,
+                  warnings);
+    }
   } // namespace
 
 
@@ -51,6 +83,8 @@ namespace Waker
                   "Water/Unit weight",
                   "Side = none",
                   warnings);
+    for (const MaterialParameters &m : p.materials)
+      warn_of_unused_regularisation(m, warnings);
     for (const MaterialParameters &m : p.materials)
       {
         const std::string  path = "Materials/" + m.name + "/";

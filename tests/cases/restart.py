@@ -29,6 +29,10 @@ failing = coarse + ["Materials/clay/Initial strength=8",
 resting = coarse + ["Materials/clay/Initial strength=13",
                     "Materials/clay/Residual strength=5",
                     "Stop rules/Rest duration=3"]
+# Points soften by their surroundings.
+surrounded = failing + ["Materials/clay/Regularisation=nonlocal",
+                        "Materials/clay/Averaging length=0.5",
+                        "Materials/clay/Softening modulus=-300"]
 # The load waits from about 0.5 s on and is stopped soon after.
 loading = ["Grid/Cell size=0.25", "Output/Interval=0.1",
            "Output/Checkpoint interval=0.05", "Time stepping/End time=1.5"]
@@ -207,6 +211,9 @@ def main():
                  [rng.uniform(1.5, 3.5)], signal.SIGKILL),
                 ("killed under a load that grows", slope, loading,
                  sorted(rng.uniform(0.1, 1.4) for _ in range(4)),
+                 signal.SIGKILL),
+                ("killed while softening is nonlocal", dyke, surrounded,
+                 sorted(rng.uniform(0.5, 3.) for _ in range(2)),
                  signal.SIGKILL),
                 ("ended with SIGTERM", dyke, failing, [rng.uniform(0.5, 3.)],
                  signal.SIGTERM)]:

@@ -104,6 +104,8 @@ namespace base_choice
     check_names<FixityMethod>(2);
     check_names<MaterialModel>(3);
     check_names<VonMisesSoftening::Invariant>(2);
+    check_names<Regularisation>(2);
+    check_names<NeighbourWeight>(2);
     check_names<WaterSide>(3);
     check_names<SurfaceMethod>(2);
     check_names<TractionMethod>(7);

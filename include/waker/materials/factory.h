@@ -42,6 +42,29 @@ namespace Waker
   }
 
 
+  /// Of nonlocal softening: in "Materials/<name>".
+  struct NonlocalParameters
+  {
+    double          length      = 0.; // l, m
+    double          over_weight = 2.; // n, -
+    NeighbourWeight weight      = NeighbourWeight::galavi_schweiger;
+
+    void
+    add_parameters(ParameterHandler &prm);
+
+    /// Whatever the regularisation.
+    /// @param path "Materials/<name>/"
+    /// @throws UserError path + ...
+    void
+    check(const std::string &path) const;
+
+    /// If it is nonlocal.
+    /// @param spacing of the points at the start (m)
+    void
+    check_used(const std::string &path, const double spacing) const;
+  };
+
+
   /// A material as the user writes it: subsection "Materials/<name>".
   struct MaterialParameters
   {
@@ -56,9 +79,11 @@ namespace Waker
     /// itself.
     std::string below_line;
 
+    Regularisation regularisation = Regularisation::softening_length;
     /// l_s (m): width of the band that the softening belongs to; 0: a cell,
     /// whatever its size.
-    double softening_length = 0.;
+    double             softening_length = 0.;
+    NonlocalParameters nonlocal;
 
     // Of the laws, those of others unread.
     LinearElasticParameters     elastic;
@@ -85,14 +110,15 @@ namespace Waker
     void
     add_parameters(ParameterHandler &prm);
 
-    /// A band of slip is some cells wide, so its plastic strain per
-    /// displacement goes with 1/h. By this factor it is multiplied before it
-    /// softens, h / l_s.
-    double
-    softening_scale(const double cell_size) const
-    {
-      return softening_length > 0. ? cell_size / softening_length : 1.;
-    }
+    /// The strain that softens it. A band of slip is some cells wide, so its
+    /// plastic strain per displacement goes with 1/h: with a softening length
+    /// it is multiplied by h / l_s, with an averaging length bands are wider.
+    SofteningMeasure
+    softening_measure(const double cell_size) const;
+
+    /// Does it soften?
+    bool
+    softens() const;
 
     /// @throws UserError "Materials/<name>/..."
     void

@@ -5,6 +5,7 @@
 #include <deal.II/base/symmetric_tensor.h>
 
 #include <waker/base/numbers.h>
+#include <waker/materials/softening_measure.h>
 
 #include <optional>
 #include <string>
@@ -123,6 +124,26 @@ namespace Waker
            SymmetricTensor<2, 3>       &stress,
            double                      *variables,
            SymmetricTensor<4, 3>       *tangent) const = 0;
+
+    /// What softens it. Unless that is local, update() does not: it leaves the
+    /// strengths as they are, and soften() takes them along after the step.
+    virtual SofteningMeasure
+    softening_measure() const
+    {
+      return {};
+    }
+
+    /// Is there anything left of a point for soften() to take?
+    virtual bool
+    can_soften(const double * /*variables*/) const
+    {
+      return false;
+    }
+
+    /// The softening measure of a point has grown by `increment` (-) in a step.
+    virtual void
+    soften(const double /*increment*/, double * /*variables*/) const
+    {}
 
     /// Points per block of update_block().
     static constexpr unsigned int block_size = 16;

@@ -46,16 +46,19 @@ namespace Waker
 
     /// @param residual what is left from a plastic strain of
     ///        `softening_strain` (-) on
-    MohrCoulomb(const double  density,
-                const double  youngs_modulus,
-                const double  poissons_ratio,
-                const Angles &peak,
-                const double  tensile_strength,
-                const Angles &residual,
-                const double  softening_strain);
+    /// @param measure of the plastic strain that softens
+    MohrCoulomb(const double            density,
+                const double            youngs_modulus,
+                const double            poissons_ratio,
+                const Angles           &peak,
+                const double            tensile_strength,
+                const Angles           &residual,
+                const double            softening_strain,
+                const SofteningMeasure &measure = {});
 
     /// "cohesion" (kPa), "friction angle", "dilatancy angle" (degrees), if it
-    /// softens the residual ones of each, all constant; "plastic strain" (-).
+    /// softens the residual ones of each, all constant; "plastic strain" (-);
+    /// the two of softening_history() if softening is not local.
     std::vector<MaterialVariable>
     variables() const override;
 
@@ -72,6 +75,18 @@ namespace Waker
            SymmetricTensor<2, 3>       &stress,
            double                      *variables,
            SymmetricTensor<4, 3>       *tangent) const override;
+
+    SofteningMeasure
+    softening_measure() const override
+    {
+      return measure;
+    }
+
+    bool
+    can_soften(const double *variables) const override;
+
+    void
+    soften(const double increment, double *variables) const override;
 
     void
     update_block(const unsigned int n_points, Block &block) const override;
@@ -102,11 +117,27 @@ namespace Waker
       return softening_strain > 0.;
     }
 
+    /// Does it soften within a step?
+    bool
+    softens_in_step() const
+    {
+      return softens() && measure.is_local();
+    }
+
     unsigned int
     number_of_plastic_strain() const
     {
       return softens() ? 6 : 3;
     }
+
+    /// Of what has softened it.
+    unsigned int
+    number_of_softening_strain() const
+    {
+      return number_of_plastic_strain() + (measure.is_local() ? 0 : 2);
+    }
+
+    static constexpr unsigned int most_variables = 9;
 
     /// The elastic stresses (kPa) of a block's points, and which of these stay
     /// as they are: surely, of others it is not known.
@@ -116,7 +147,7 @@ namespace Waker
                  double (&trial)[6][block_size],
                  bool (&is_elastic)[block_size]) const;
 
-    /// At a plastic strain.
+    /// At a plastic strain, or its nonlocal measure.
     /// @param rate if not null: its derivative
     MohrCoulombStrength
     strength_at(const double         plastic_strain,
@@ -126,7 +157,8 @@ namespace Waker
     Angles peak;
     Angles residual;
     double tensile_strength; // kPa
-    double softening_strain; // 0: none
+    double softening_strain; // within a step, if it softens there; 0: none
+    SofteningMeasure measure;
   };
 
 
@@ -151,7 +183,7 @@ namespace Waker
     void
     check_expressions(const std::string &path, const unsigned int dim) const;
 
-    /// @param softening_scale see MaterialParameters
+    /// @param softening_scale SofteningMeasure::of_uniform_strain()
     /// @throws UserError path + ...
     void
     check(const std::string             &path,
@@ -172,13 +204,12 @@ namespace Waker
   };
 
 
-  /// @param softening_scale see MaterialParameters
   /// @param path "Materials/<name>/"
   std::unique_ptr<Material>
   make_mohr_coulomb(const double                   density,
                     const LinearElasticParameters &elastic,
                     const MohrCoulombParameters   &parameters,
-                    const double                   softening_scale,
+                    const SofteningMeasure        &measure,
                     const std::string             &path);
 } // namespace Waker
 

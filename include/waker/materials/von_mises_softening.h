@@ -17,8 +17,9 @@ namespace Waker
    * Remmerswaal 2023, after Wang et al. 2016):
    *   c = max(c_r, c_i + H_s eps_p),  H_s <= 0.
    *
-   * The return is radial and in closed form, the tangent is the algorithmic
-   * one. In softening it is indefinite. It needs 3 G + sqrt(3) H_s > 0.
+   * or with the plastic strain's nonlocal measure (SofteningMeasure). The
+   * return is radial and in closed form, the tangent is the algorithmic one. In
+   * local softening it is indefinite. It needs 3 G + sqrt(3) H_s > 0.
    */
   class VonMisesSoftening final : public LinearElastic
   {
@@ -34,6 +35,7 @@ namespace Waker
     /// @param initial_strength, residual_strength, softening_modulus in kPa;
     /// the strengths are the points' default, each point has its own
     /// @param overconsolidation_ratio at the start, if the strength knows it
+    /// @param measure of the plastic strain that softens
     VonMisesSoftening(
       const double                       density,
       const double                       youngs_modulus,
@@ -42,10 +44,12 @@ namespace Waker
       const InitialValue                &residual_strength,
       const double                       softening_modulus,
       const Invariant                    invariant = Invariant::equivalent,
-      const std::optional<InitialValue> &overconsolidation_ratio = {});
+      const std::optional<InitialValue> &overconsolidation_ratio = {},
+      const SofteningMeasure            &measure                 = {});
 
     /// "undrained shear strength" (now, kPa), "residual strength" (kPa),
-    /// "plastic strain" (-), and "overconsolidation ratio" (-) if it is known.
+    /// "plastic strain" (-), "overconsolidation ratio" (-) if it is known, and
+    /// the two of softening_history() if softening is not local.
     /// The residual strength may be an expression of "initial_strength".
     std::vector<MaterialVariable>
     variables() const override;
@@ -58,6 +62,18 @@ namespace Waker
            SymmetricTensor<2, 3>       &stress,
            double                      *variables,
            SymmetricTensor<4, 3>       *tangent) const override;
+
+    SofteningMeasure
+    softening_measure() const override
+    {
+      return measure;
+    }
+
+    bool
+    can_soften(const double *variables) const override;
+
+    void
+    soften(const double increment, double *variables) const override;
 
     void
     update_block(const unsigned int n_points, Block &block) const override;
@@ -73,8 +89,10 @@ namespace Waker
     InitialValue initial_strength;
     InitialValue residual_strength;
     double       plastic_strain_factor; // invariant / equivalent plastic strain
-    double       softening; // dc / d(equivalent plastic strain), kPa
+    double       softening; // dc / d(equivalent plastic strain) in a step, kPa
     std::optional<InitialValue> overconsolidation_ratio;
+    SofteningMeasure            measure;
+    double                      softening_modulus; // H_s, kPa
   };
 
   constexpr const char *
@@ -122,7 +140,7 @@ namespace Waker
     void
     check_expressions(const std::string &path, const unsigned int dim) const;
 
-    /// @param softening_scale see MaterialParameters
+    /// @param softening_scale SofteningMeasure::of_uniform_strain()
     /// @throws UserError path + ...
     void
     check(const std::string             &path,
@@ -137,13 +155,12 @@ namespace Waker
   };
 
 
-  /// @param softening_scale see MaterialParameters
   /// @param path "Materials/<name>/"
   std::unique_ptr<Material>
   make_von_mises_softening(const double                       density,
                            const LinearElasticParameters     &elastic,
                            const VonMisesSofteningParameters &parameters,
-                           const double                       softening_scale,
+                           const SofteningMeasure            &measure,
                            const std::string                 &path);
 } // namespace Waker
 

@@ -6,6 +6,7 @@
 
 #include <waker/mapping/weights.h>
 #include <waker/materials/material.h>
+#include <waker/mechanics/nonlocal_softening.h>
 #include <waker/mechanics/point_motion.h>
 #include <waker/nodes/nodal_vector.h>
 #include <waker/particles/material_points.h>
@@ -88,10 +89,11 @@ namespace Waker
     has_symmetric_tangents() const;
 
     /// Write the stresses and variables of the last evaluation to the points,
-    /// and sum up what happened. They are computed once more: cheaper than to
+    /// and sum up what happened; then points soften by what happened around
+    /// them (NonlocalSoftening). They are computed once more: cheaper than to
     /// keep them.
     StressReport
-    accept(MaterialPoints<dim> &points) const;
+    accept(MaterialPoints<dim> &points);
 
   private:
     /// Scalars per point that fit on the stack; more is a material's mistake.
@@ -120,6 +122,9 @@ namespace Waker
 
     const Materials                  *materials;
     std::unique_ptr<PointMotion<dim>> motion;
+    NonlocalSoftening<dim>            nonlocal;
+    std::vector<double>
+      increments; // of the plastic strain, for that; else empty
     /// Names of the materials' variables, and their places among the scalars.
     std::vector<std::vector<std::string>> variable_names;
     std::vector<std::vector<int>>         variable_arrays;
