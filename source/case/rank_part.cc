@@ -158,6 +158,14 @@ namespace Waker
              "is " + std::string(name_of(p.time.scheme)));
     if (p.newton.tangent != Tangent::consistent)
       refuse("Newton/Tangent", "is " + std::string(name_of(p.newton.tangent)));
+    // Both look at soil beyond what a rank sees.
+    if (p.mapping.volumetric_strain != VolumetricStrain::standard)
+      refuse("Kinematics and mapping/Volumetric strain",
+             "is " + std::string(name_of(p.mapping.volumetric_strain)));
+    for (const MaterialParameters &material : p.materials)
+      if (material.regularisation == Regularisation::nonlocal)
+        refuse("Materials/" + material.name + "/Regularisation",
+               "is " + std::string(name_of(Regularisation::nonlocal)));
     if (!p.walls.empty())
       refuse("Walls/Names", "there are walls off the grid");
     if (!p.tractions.empty())
