@@ -139,13 +139,13 @@ namespace Waker
 
 
   template <int dim>
-  std::unique_ptr<RankPart<dim>>
-  make_rank_part(const Case<dim> &the_case, const MaterialPoints<dim> &points)
+  void
+  check_for_ranks(const Case<dim> &the_case)
   {
     const unsigned int n =
       Utilities::MPI::n_mpi_processes(the_case.grid.communicator());
     if (n == 1)
-      return nullptr;
+      return;
     const Parameters &p = the_case.parameters;
     const auto refuse = [&](const std::string &path, const std::string &what) {
       throw UserError(path,
@@ -174,10 +174,24 @@ namespace Waker
       refuse("Load programmes/Names", "there are load programmes");
     if (the_case.flow.is_used())
       refuse("Outflow/Names", "soil flows in or out");
+  }
+
+
+  template <int dim>
+  std::unique_ptr<RankPart<dim>>
+  make_rank_part(const Case<dim> &the_case, const MaterialPoints<dim> &points)
+  {
+    check_for_ranks(the_case);
+    if (Utilities::MPI::n_mpi_processes(the_case.grid.communicator()) == 1)
+      return nullptr;
     return std::make_unique<RankPart<dim>>(the_case, points);
   }
 
 
+  template void
+  check_for_ranks(const Case<2> &);
+  template void
+  check_for_ranks(const Case<3> &);
   template class RankPart<2>;
   template class RankPart<3>;
   template std::unique_ptr<RankPart<2>>

@@ -227,7 +227,8 @@ namespace Waker
       try
         {
           const Case<dim> the_case(parameters, communicator);
-          State<dim>      state = initial_state(the_case);
+          check_for_ranks(the_case);
+          State<dim> state = initial_state(the_case);
           if (setup)
             setup(the_case, state);
           if (options.validate_only)
@@ -269,6 +270,7 @@ namespace Waker
       try
         {
           pointer = std::make_unique<const Case<dim>>(parameters, communicator);
+          check_for_ranks(*pointer);
         }
       catch (const NumericalFailure &failure)
         {

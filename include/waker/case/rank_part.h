@@ -83,8 +83,14 @@ namespace Waker
   };
 
 
+  /// @throws UserError for what cannot be computed on several ranks yet, if
+  ///         there are several
+  template <int dim>
+  void
+  check_for_ranks(const Case<dim> &the_case);
+
   /// On one rank there is none.
-  /// @throws UserError for what cannot be computed on several ranks yet
+  /// @throws UserError as check_for_ranks() does
   template <int dim>
   std::unique_ptr<RankPart<dim>>
   make_rank_part(const Case<dim> &the_case, const MaterialPoints<dim> &points);
