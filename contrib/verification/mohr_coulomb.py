@@ -5,11 +5,12 @@
     /usr/bin/python3 contrib/verification/mohr_coulomb.py [--waker build/bin/waker]
         [--only slopes|footing|pile] [--cells 0.125,0.0625]
 
---cells are those of the footing: 0.03125 m takes a quarter of an hour each; rows of
+--cells are those of the footing: 0.0625 m takes some minutes each; rows of
 other cells stay in doc/verification/data/mohr_coulomb_footing.csv.
 """
 
 import csv
+import itertools
 import os
 
 import numpy as np
@@ -24,8 +25,8 @@ SLOPES = (  # case, published factor, cell (m), dilatancy
     ("slope_acads", 0.987, 0.5, "0"),
     ("slope_acads", 0.987, 0.25, "0"),
     ("slope_acads", 0.987, 0.5, "friction_angle"))
-FOOTING_COLUMNS = ("cell_m", "angle", "load_over_c", "over_n_c",
-                   "over_n_c_half_a_cell_wider")
+FOOTING_COLUMNS = ("cell_m", "angle", "points_per_direction", "load_over_c",
+                   "over_n_c", "over_n_c_half_a_cell_wider")
 
 
 def slopes(work):
@@ -52,25 +53,27 @@ def footing(work, cells):
         with open(path, encoding="utf-8") as file:
             for row in csv.DictReader(file):
                 values = tuple(float(row[key]) for key in FOOTING_COLUMNS)
-                rows[values[:2]] = values
+                rows[values[:3]] = values
     figure, axes = plt.subplots()
-    for cell in cells:
-        for angle in (20.0, 30.0):
-            run = work.run(f"footing-{cell}-{angle}",
-                           "verification/strip_footing_friction.prm",
-                           {"Grid/Cell size": cell,
-                            "Materials/soil/Friction angle": angle})
-            load = measures.load(run)
-            over = load[-1] / measures.n_c(angle)
-            rows[cell, angle] = (cell, angle, load[-1], over - 1.0,
-                                 over / (1.0 + cell) - 1.0)
-            axes.plot(1e3 * measures.RATE * run.statistics["Time (s)"][1:], load,
-                      color="C0" if angle == 20.0 else "C1",
-                      linestyle="-" if cell == min(cells) else "--",
-                      label=f"φ = {angle:g}°, h = {cell:g} m")
-    for (cell, angle), row in sorted(rows.items(), key=lambda r: (r[0][1], -r[0][0])):
-        print("| %g° | %g m | %.2f c | %+.1f %% | %+.1f %% |"
-              % (angle, cell, row[2], 100 * row[3], 100 * row[4]))
+    for cell, angle, number in itertools.product(cells, (20.0, 30.0), (1.0, 2.0)):
+        run = work.run(f"footing-{cell}-{angle}-{number}",
+                       "verification/strip_footing_friction.prm",
+                       {"Grid/Cell size": cell,
+                        "Material points/Points per direction": int(number),
+                        "Materials/soil/Friction angle": angle})
+        load = measures.load(run)
+        over = load[-1] / measures.n_c(angle)
+        rows[cell, angle, number] = (cell, angle, number, load[-1], over - 1.0,
+                                     over / (1.0 + cell) - 1.0)
+        axes.plot(1e3 * measures.RATE * run.statistics["Time (s)"][1:], load,
+                  color=("C0" if angle == 20.0 else "C1") if number == 1.0
+                  else ("C2" if angle == 20.0 else "C3"),
+                  linestyle="-" if cell == min(cells) else "--",
+                  label=f"φ = {angle:g}°, h = {cell:g} m, {number**2:g} a cell")
+    for (cell, angle, number), row in sorted(
+            rows.items(), key=lambda r: (r[0][1], -r[0][2], -r[0][0])):
+        print("| %g° | %g | %g m | %.2f c | %+.1f %% | %+.1f %% |"
+              % (angle, number**2, cell, row[3], 100 * row[4], 100 * row[5]))
     write_csv("mohr_coulomb_footing",
               dict(zip(FOOTING_COLUMNS, zip(*(rows[k] for k in sorted(rows))))))
     for angle in (20.0, 30.0):
@@ -78,7 +81,7 @@ def footing(work, cells):
         axes.text(20, measures.n_c(angle) - 1.6, f"N_c, {angle:g}°", color="grey")
     axes.set_xlabel("settlement (mm)")
     axes.set_ylabel("load / c")
-    axes.legend()
+    axes.legend(fontsize=7)
     save(figure, "mohr_coulomb_footing")
 
 

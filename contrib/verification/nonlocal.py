@@ -53,12 +53,13 @@ def factors(work, table):
 
 
 def slides(work, table, states, c=9):
-    """To rest, not to flooding: how far soil gets."""
+    """To 10 s, beyond flooding: how far soil gets."""
     for way, changes in WAYS.items():
         for cell in CELLS:
             run = work.run("run", "chapter5/dyke_weak.prm",
                            {"Grid/Cell size": cell, "Output/Interval": 0.25,
                             "Stop rules/On flooding": "false",
+                            "Time stepping/End time": 10,
                             **measures.strength(c, c / 2.6), **changes})
             start = run["initial_failure_time"]
             points = run.points(start + 1)
@@ -117,8 +118,9 @@ def draw(table, states, profiles):
     axes.legend()
     for column, way in enumerate(("as it is", "nonlocal")):
         axes = figure.add_subplot(layout[2:, column])
-        for cell in CELLS:
-            rows, strain = profiles[way, cell]
+        for (name, cell), (rows, strain) in profiles.items():
+            if name != way:
+                continue
             axes.plot(strain, rows, label=f"h = {cell:g} m")
         axes.set_xlabel("plastic strain (-)")
         axes.set_ylabel("y (m)")

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Waker
 {
@@ -139,6 +140,31 @@ namespace Waker
       if (table[i].second != table[i - 1].second)
         return table[i].first;
     return LastChange::never;
+  }
+
+
+  double
+  TimeFunction::next_corner(const double t) const
+  {
+    const auto after = std::upper_bound(
+      table.begin(), table.end(), t, [](const double time, const auto &entry) {
+        return time < entry.first;
+      });
+    return after == table.end() ? std::numeric_limits<double>::infinity()
+                                : after->first;
+  }
+
+
+  double
+  TimeFunction::time_of_largest() const
+  {
+    return table.empty() ? 0.
+                         : std::max_element(table.begin(),
+                                            table.end(),
+                                            [](const auto &a, const auto &b) {
+                                              return a.second < b.second;
+                                            })
+                             ->first;
   }
 
 

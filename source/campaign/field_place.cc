@@ -88,21 +88,25 @@ namespace Waker
 
   template <int dim>
   std::array<double, 3>
-  FieldPlace<dim>::of(const Point<dim> &x) const
+  field_coordinates(const Case<dim> &the_case, const Point<dim> &x)
   {
     std::array<double, 3> place = coordinates(x);
-    if (const auto &space = the_case->parameters.in_space)
+    if (const auto &space = the_case.parameters.in_space)
       {
         // On a line between two layers of cells it is the one above, which
         // round-off in z / h must not change: a millionth of a sub-cell.
         const double layer =
           space->grid.cell_size / space->points.points_per_direction;
-        place[2] = the_case->parameters.section_z + 1e-6 * layer;
+        place[2] = the_case.parameters.section_z + 1e-6 * layer;
       }
     return place;
   }
 
 
+  template std::array<double, 3>
+  field_coordinates(const Case<2> &, const Point<2> &);
+  template std::array<double, 3>
+  field_coordinates(const Case<3> &, const Point<3> &);
   template class FieldPlace<2>;
   template class FieldPlace<3>;
 } // namespace Waker

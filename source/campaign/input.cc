@@ -33,6 +33,23 @@ namespace Waker
 
 
   void
+  Input::prepare_materials()
+  {
+    for (const RandomFieldParameters &field : reliability.fields.fields)
+      if (field.property == FieldProperty::youngs_modulus)
+        {
+          const std::vector<std::string> names = field.material_names();
+          const auto is_named                  = [&](const std::string &name) {
+            return std::find(names.begin(), names.end(), name) != names.end();
+          };
+          for (MaterialParameters &material : simulation.materials)
+            if (names.empty() || is_named(material.name) || is_named("all"))
+              material.elastic.varies = true;
+        }
+  }
+
+
+  void
   Input::check() const
   {
     simulation.check();

@@ -2,41 +2,58 @@
 #include <waker/base/errors.h>
 #include <waker/base/random_numbers.h>
 #include <waker/base/sizes.h>
-#include <waker/campaign/field_moments.h>
-#include <waker/campaign/field_place.h>
 #include <waker/campaign/random_properties.h>
+#include <waker/case/initial_stress.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
-#include <sstream>
 
 namespace Waker
 {
   namespace
   {
-    /// More of a distribution than this beyond its limits is worth a warning.
-    constexpr double largest_share_beyond = 0.01;
+    using Kind = RandomProperty::Kind;
 
 
+    /// The check of the parameters knows names only, and one may be empty.
     template <int dim>
-    unsigned int
-    material_number(const Case<dim>             &the_case,
-                    const RandomFieldParameters &field)
+    void
+    check_once(const Case<dim>                     &the_case,
+               const std::vector<FieldTarget<dim>> &targets,
+               const FieldTarget<dim>              &target,
+               const RandomFieldsParameters        &parameters)
     {
-      const auto &materials = the_case.parameters.materials;
-      std::string names;
-      for (unsigned int m = 0; m < materials.size(); ++m)
-        {
-          if (materials[m].name == field.material ||
-              (field.material.empty() && materials.size() == 1))
-            return m;
-          names += (m > 0 ? ", " : "") + materials[m].name;
-        }
-      throw UserError("Random fields/" + field.name + "/Material",
-                      "is \"" + field.material + "\"",
-                      "one of the materials: " + names);
+      for (const FieldTarget<dim> &other : targets)
+        if (other.material == target.material &&
+            other.moments.varied().name == target.moments.varied().name)
+          throw UserError(
+            target.path + "/Property",
+            "is \"" + target.moments.varied().name +
+              "\", of which the material \"" +
+              the_case.parameters.materials[target.material].name +
+              "\" has a field already, \"" +
+              parameters.fields[other.field].name + "\"",
+            "one field per property and material");
+    }
+
+
+    /// What changes the stress at the start of each realisation must leave it
+    /// one that a realisation finds by itself.
+    template <int dim>
+    void
+    check_stress(const Case<dim> &the_case, const FieldTarget<dim> &target)
+    {
+      const RandomProperty &property = target.moments.varied();
+      if ((property.kind == RandomProperty::Kind::unit_weight ||
+           property.kind == RandomProperty::Kind::stiffness) &&
+          !the_case.parameters.initial_stress.is_gravity_step())
+        throw UserError(target.path + "/Property",
+                        "is \"" + property.name +
+                          "\", which changes the stress at the start, and "
+                          "Initial stress asks for more than a gravity step",
+                        "Initial stress/From = gravity, Laws = elastic and "
+                        "Daily stage = false; or another property");
     }
   } // namespace
 
@@ -45,152 +62,108 @@ namespace Waker
   RandomProperties<dim>::RandomProperties(
     const Case<dim>              &the_case,
     const RandomFieldsParameters &parameters)
+    : the_case(&the_case)
   {
     if (parameters.fields.empty())
       return;
-
-    const MaterialPoints<dim>     &points = the_case.initial_points;
-    std::vector<unsigned int>      numbers; // of the fields' materials
-    std::vector<FieldLattice>      lattices;
-    std::vector<FieldMoments<dim>> moments;
-    const FieldPlace<dim>          place(the_case);
-    for (const RandomFieldParameters &field : parameters.fields)
+    std::vector<FieldLattice> lattices;
+    const FieldPlace<dim>     place(the_case);
+    for (unsigned int f = 0; f < parameters.fields.size(); ++f)
       {
-        const std::string  path     = "Random fields/" + field.name;
-        const unsigned int material = material_number(the_case, field);
-        // The check of the parameters knows names only, and one may be empty.
-        for (std::size_t f = 0; f < numbers.size(); ++f)
-          if (numbers[f] == material &&
-              parameters.fields[f].property == field.property)
-            throw UserError(path + "/Property",
-                            "is \"" + std::string(name_of(field.property)) +
-                              "\", of which the material \"" +
-                              the_case.parameters.materials[material].name +
-                              "\" has a field already, \"" +
-                              parameters.fields[f].name + "\"",
-                            "one field per property and material");
-        numbers.push_back(material);
-        moments.emplace_back(the_case, field, material);
-
-        const double largest =
-          std::min(field.maximum < 1e299
-                     ? field.maximum
-                     : std::numeric_limits<double>::infinity(),
-                   largest_possible(field.property));
-        Target target{path,
-                      moments.back().variable_name(),
-                      Marginal(field.distribution, field.minimum, largest),
-                      {},
-                      {},
-                      {},
-                      {},
-                      {},
-                      {}};
-        lattices.push_back(place.lattice(field.cell_size, path));
-        check_lattice_size(lattices.back(), path);
-        for (std::size_t q = 0; q < points.n_points(); ++q)
-          if (points.material[q] == material)
-            {
-              const Point<dim> &x = points.initial_position[q];
-              const auto [mean, deviation] =
-                moments.back().at(x, the_case.layers_of_points[q]);
-              std::string problem;
-              if (!moments.back().is_possible(mean))
-                problem = "is " + std::to_string(mean);
-              else if (!std::isfinite(deviation) || !(deviation >= 0.))
-                throw UserError(path + "/Standard deviation",
-                                "is " + std::to_string(deviation) + " at (" +
-                                  place_text(dim, coordinates(x)) + ")",
-                                "a finite number of at least 0");
-              else if (!(mean >= field.minimum && mean <= largest))
-                problem = "is " + std::to_string(mean) +
-                          ", beyond the limits " +
-                          std::to_string(field.minimum) + " and " +
-                          std::to_string(largest);
-              else if (deviation > 0.)
-                problem = target.marginal.problem(mean, deviation);
-              if (!problem.empty())
-                throw UserError(path + "/Mean",
-                                problem + " at (" +
-                                  place_text(dim, coordinates(x)) + ")",
-                                "a mean that fits distribution and limits, "
-                                "above 0 (0 or more but of an undrained shear "
-                                "strength)");
-              target.points.push_back(q);
-              target.cells.push_back(lattices.back().cell_of(place.of(x)));
-              target.mean.push_back(mean);
-              target.standard_deviation.push_back(deviation);
-            }
-
-        // What softening leaves goes along, unless it has its own field.
-        for (const MaterialVariable &variable :
-             the_case.materials[material]->variables())
+        const RandomFieldParameters &field = parameters.fields[f];
+        const std::string            path  = "Random fields/" + field.name;
+        names.push_back(field.name);
+        average_deviations.push_back(std::sqrt(1. - field.local_share));
+        for (const unsigned int material : materials_of(the_case, field))
           {
-            if (targets.empty() && variable.name == target.property)
-              unit_of_first = variable.unit;
-            if (variable.goes_along_with != target.property)
-              continue;
-            bool alone = false;
-            for (const RandomFieldParameters &other : parameters.fields)
-              alone = alone || (name_of(other.property) == variable.name &&
-                                material_number(the_case, other) == material);
-            if (alone)
-              continue;
-            AssertThrow(target.residual.empty(),
-                        ExcMessage("two variables go along with one"));
-            const auto initial = [&](const std::string &name) {
-              return points.scalars[points.find_scalar(name)].values.data();
-            };
-            const double *const c_i = initial(target.property);
-            const double *const c_r = initial(variable.name);
-            target.residual         = variable.name;
-            for (const std::size_t q : target.points)
-              target.residual_ratio.push_back(c_i[q] > 0. ? c_r[q] / c_i[q]
-                                                          : 1.);
+            if (lattices.size() == f)
+              {
+                // What is wrong with the property comes first.
+                FieldMoments<dim>(the_case, field, material);
+                lattices.push_back(place.lattice(field.cell_size, path));
+                check_lattice_size(lattices.back(), path);
+              }
+            FieldTarget<dim> target(
+              the_case, field, f, material, place, lattices.back());
+            check_once(the_case, targets, target, parameters);
+            check_stress(the_case, target);
+            targets.push_back(std::move(target));
           }
-        targets.push_back(std::move(target));
       }
+    unit_of_first = targets[0].moments.varied().unit;
+    find_residuals();
+    dependent.emplace(the_case, targets);
 
     const auto score = [&](const unsigned int           f,
-                           const std::array<double, 3> &place,
+                           const std::array<double, 3> &at,
                            const double                 value,
                            const double                 variance) {
-      const Target &target = targets[f];
-      Point<dim>    x;
+      Point<dim> x;
       for (unsigned int d = 0; d < dim; ++d)
-        x[d] = place[d];
-
-      std::ostringstream what;
-      what << "has the value " << value << " at (" << place_text(dim, place)
-           << ")";
-      const std::string        where = target.path + "/Measurements";
-      const std::size_t        cell  = lattices[f].cell_of(place);
-      std::vector<std::size_t> there; // points
-      for (std::size_t i = 0; i < target.cells.size(); ++i)
-        if (target.cells[i] == cell)
-          there.push_back(target.points[i]);
-      if (there.empty())
-        throw UserError(where,
-                        what.str() + ", where the field has no points",
-                        "measurements in soil of the field's material");
-      const auto [mean, deviation] =
-        moments[f].at(x, moments[f].layer_at(x, there));
-      std::string allowed;
-      if (!moments[f].is_possible(mean) ||
-          !target.marginal.problem(mean, deviation).empty())
-        allowed = "none: there is no such distribution there";
-      else
-        allowed = target.marginal.value_problem(value, mean, deviation);
-      if (!allowed.empty())
-        throw UserError(where,
-                        what.str(),
-                        "a value that the distribution can take at that place, "
-                        "with mean " +
-                          std::to_string(mean) + " and standard deviation " +
-                          std::to_string(deviation) + ": " + allowed);
-      return target.marginal.normal_score(value, mean, deviation, variance);
+        x[d] = at[d];
+      return measured_score(
+        measured_place(the_case, targets, f, lattices[f].cell_of(at), x),
+        "Random fields/" + names[f],
+        x,
+        value,
+        variance);
     };
     fields = std::make_unique<RandomFields>(parameters, lattices, score);
+  }
+
+
+  template <int dim>
+  bool
+  RandomProperties<dim>::has_field(const unsigned int material,
+                                   const std::string &name) const
+  {
+    return std::any_of(targets.begin(), targets.end(), [&](const auto &target) {
+      return target.material == material &&
+             target.moments.varied().name == name;
+    });
+  }
+
+
+  template <int dim>
+  void
+  RandomProperties<dim>::find_residuals()
+  {
+    // What softening leaves goes along, unless it has its own field.
+    const MaterialPoints<dim> &points = the_case->initial_points;
+    for (std::size_t t = 0; t < targets.size(); ++t)
+      for (const MaterialVariable &variable :
+           the_case->materials[targets[t].material]->variables())
+        {
+          const std::string &property = targets[t].moments.varied().name;
+          if (variable.goes_along_with != property ||
+              has_field(targets[t].material, variable.name))
+            continue;
+          Residual                   residual{t, variable.name, {}};
+          const std::vector<double> &c_i = points.scalar(property);
+          const std::vector<double> &c_r = points.scalar(variable.name);
+          for (const std::size_t q : targets[t].points)
+            residual.ratio.push_back(c_i[q] > 0. ? c_r[q] / c_i[q] : 1.);
+          residuals.push_back(std::move(residual));
+        }
+  }
+
+
+  template <int dim>
+  std::vector<double> &
+  RandomProperties<dim>::scalar_of(const RandomProperty &property,
+                                   State<dim>           &state) const
+  {
+    const bool           is_new = state.points.find_scalar(property.name) < 0;
+    std::vector<double> &values = state.points.scalar(property.name);
+    // Elsewhere a coefficient is that of the point's material.
+    if (is_new)
+      for (unsigned int m = 0; m < the_case->materials.size(); ++m)
+        for (const auto &c : the_case->materials[m]->coefficients())
+          if (c.name == property.name)
+            for (std::size_t q = 0; q < values.size(); ++q)
+              if (state.points.material[q] == m)
+                values[q] = c.initial_value.number;
+    return values;
   }
 
 
@@ -200,29 +173,8 @@ namespace Waker
   {
     if (fields == nullptr)
       return;
-    fields->generate(noise, scores);
-    for (std::size_t f = 0; f < targets.size(); ++f)
-      {
-        const Target        &target   = targets[f];
-        std::vector<double> &values   = state.points.scalar(target.property);
-        const double         variance = fields->score_variance(f);
-        for (std::size_t i = 0; i < target.points.size(); ++i)
-          {
-            const std::size_t q = target.points[i];
-            values[q]           = target.standard_deviation[i] > 0.
-                                    ? target.marginal.value(scores[f][target.cells[i]],
-                                                  target.mean[i],
-                                                  target.standard_deviation[i],
-                                                  variance)
-                                    : target.mean[i];
-            if (!std::isfinite(values[q]))
-              throw NumericalFailure(
-                target.path + ": the " + target.property + " at (" +
-                place_text(dim, coordinates(state.points.initial_position[q])) +
-                ") is not finite");
-          }
-        set_residual(target, state);
-      }
+    fields->generate(noise, scores, averages);
+    set(true, state);
   }
 
 
@@ -230,30 +182,92 @@ namespace Waker
   void
   RandomProperties<dim>::apply_means(State<dim> &state) const
   {
-    for (const Target &target : targets)
-      {
-        std::vector<double> &values = state.points.scalar(target.property);
-        for (std::size_t i = 0; i < target.points.size(); ++i)
-          values[target.points[i]] = target.mean[i];
-        set_residual(target, state);
-      }
+    if (fields != nullptr)
+      set(false, state);
+  }
+
+
+  template <int dim>
+  double
+  RandomProperties<dim>::value(const FieldTarget<dim> &target,
+                               const std::size_t       i,
+                               const bool              is_random) const
+  {
+    return is_random ? target.value(i,
+                                    scores[target.field][target.cells[i]],
+                                    fields->score_variance(target.field))
+                     : target.mean[i];
   }
 
 
   template <int dim>
   void
-  RandomProperties<dim>::set_residual(const Target &target,
-                                      State<dim>   &state) const
+  RandomProperties<dim>::set(const bool is_random, State<dim> &state) const
   {
-    if (target.residual_ratio.empty())
-      return;
-    std::vector<double>       &residual = state.points.scalar(target.residual);
-    const std::vector<double> &strength = state.points.scalar(target.property);
-    for (std::size_t i = 0; i < target.points.size(); ++i)
+    n_cut_off.assign(targets.size(), 0);
+    std::vector<CellWeights> weights;
+    set_weights(is_random, weights, state);
+    const bool is_stiffness_set = set_stiffness(is_random, state);
+    for (const Kind kind : {Kind::coefficient, Kind::variable})
       {
-        const std::size_t q = target.points[i];
-        residual[q]         = target.residual_ratio[i] * strength[q];
+        for (std::size_t t = 0; t < targets.size(); ++t)
+          {
+            const FieldTarget<dim> &target   = targets[t];
+            const RandomProperty   &property = target.moments.varied();
+            if (property.kind != kind)
+              continue;
+            std::vector<double> &values = scalar_of(property, state);
+            for (std::size_t i = 0; i < target.points.size(); ++i)
+              {
+                const std::size_t q = target.points[i];
+                values[q]           = value(target, i, is_random);
+                if (!std::isfinite(values[q]))
+                  throw NumericalFailure(
+                    target.path + ": the " + property.name + " at (" +
+                    place_text(dim,
+                               coordinates(state.points.initial_position[q])) +
+                    ") is not finite");
+                n_cut_off[t] += target.is_cut_off(values[q]);
+              }
+          }
+        if (kind == Kind::coefficient)
+          dependent->set(weight_ratio(*the_case, weights), state);
       }
+    for (const Residual &residual : residuals)
+      {
+        const FieldTarget<dim>    &target = targets[residual.target];
+        std::vector<double>       &left   = state.points.scalar(residual.name);
+        const std::vector<double> &strength =
+          state.points.scalar(target.moments.varied().name);
+        for (std::size_t i = 0; i < target.points.size(); ++i)
+          left[target.points[i]] =
+            residual.ratio[i] * strength[target.points[i]];
+      }
+    if (!weights.empty() || is_stiffness_set)
+      renew_initial_stress(*the_case, state);
+  }
+
+
+  template <int dim>
+  std::pair<double, double>
+  RandomProperties<dim>::mean_and_least(const unsigned int field,
+                                        const State<dim>  &state) const
+  {
+    double sum = 0., mass = 0., least = std::numeric_limits<double>::infinity();
+    for (const FieldTarget<dim> &target : targets)
+      if (target.field == field)
+        {
+          const std::vector<double> &values =
+            state.points.scalar(target.moments.varied().name);
+          for (const std::size_t q : target.points)
+            {
+              sum += state.points.mass[q] * values[q];
+              mass += state.points.mass[q];
+              least = std::min(least, values[q]);
+            }
+        }
+    return mass > 0. ? std::make_pair(sum / mass, least)
+                     : std::make_pair(0., 0.);
   }
 
 
@@ -261,18 +275,7 @@ namespace Waker
   std::pair<double, double>
   RandomProperties<dim>::mean_and_least(const State<dim> &state) const
   {
-    if (targets.empty() || targets[0].points.empty())
-      return {0., 0.};
-    const int number = state.points.find_scalar(targets[0].property);
-    const std::vector<double> &values = state.points.scalars[number].values;
-    double sum = 0., mass = 0., least = values[targets[0].points[0]];
-    for (const std::size_t q : targets[0].points)
-      {
-        sum += state.points.mass[q] * values[q];
-        mass += state.points.mass[q];
-        least = std::min(least, values[q]);
-      }
-    return {sum / mass, least};
+    return mean_and_least(0, state);
   }
 
 
@@ -282,54 +285,6 @@ namespace Waker
   {
     return fields == nullptr ? std::vector<std::string>()
                              : fields->description();
-  }
-
-
-  template <int dim>
-  std::vector<std::string>
-  RandomProperties<dim>::warnings() const
-  {
-    if (fields == nullptr)
-      return {};
-    std::vector<std::string> lines = fields->warnings();
-    for (const Target &target : targets)
-      {
-        double      most = 0.;
-        std::size_t at   = 0;
-        for (std::size_t i = 0; i < target.points.size(); ++i)
-          if (target.standard_deviation[i] > 0.)
-            {
-              const double share =
-                target.marginal.share_beyond(target.mean[i],
-                                             target.standard_deviation[i]);
-              if (share > most)
-                {
-                  most = share;
-                  at   = i;
-                }
-            }
-        if (!(most > largest_share_beyond))
-          continue;
-        std::ostringstream text;
-        text << target.path << ": with mean " << target.mean[at]
-             << " and standard deviation " << target.standard_deviation[at]
-             << " the limits cut off " << 100. * most
-             << " % of the distribution, which becomes the limit itself: mean "
-                "and deviation will be others";
-        lines.push_back(text.str());
-      }
-    return lines;
-  }
-
-
-  std::vector<double>
-  realisation_noise(const std::uint64_t seed,
-                    const std::uint64_t realisation,
-                    const std::size_t   n)
-  {
-    std::vector<double> noise(n);
-    white_noise({seed, realisation, 0}, 0, n, noise.data());
-    return noise;
   }
 
 

@@ -211,10 +211,20 @@ namespace Waker
             record.field_time        = before.field_time;
 
             const Clock::time_point field_start = Clock::now();
-            random_properties.apply(noise(), state);
+            try
+              {
+                random_properties.apply(noise(), state);
+              }
+            catch (const NumericalFailure &failure)
+              {
+                record.outcome     = Outcome::numerical_failure;
+                record.stop_reason = failure.what();
+                return false;
+              }
             record.field_time += seconds_since(field_start);
             std::tie(record.mean_strength, record.least_strength) =
               random_properties.mean_and_least(state);
+            record.random_fields = random_properties.summaries(state);
           }
         kept.reset();
         so_far.wall_time = earlier_time;

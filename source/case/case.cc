@@ -5,11 +5,11 @@
 #include <waker/base/text.h>
 #include <waker/case/case.h>
 #include <waker/case/initial_properties.h>
+#include <waker/case/initial_stress.h>
 #include <waker/case/scene.h>
 #include <waker/case/sizes.h>
 #include <waker/case/soil.h>
 #include <waker/loads/water_level.h>
-#include <waker/mapping/stencil.h>
 #include <waker/measures/dyke_geometry.h>
 #include <waker/mechanics/deformation.h>
 #include <waker/mechanics/time_scheme.h>
@@ -84,6 +84,31 @@ namespace Waker
     }
 
 
+    /// The points' scalar "initial vertical stress" (kPa), effective, of
+    /// columns; if anything follows from it.
+    template <int dim>
+    void
+    record_vertical_stress(const Ground<dim>               &ground,
+                           const Parameters                &parameters,
+                           const std::vector<unsigned int> &layers,
+                           MaterialPoints<dim>             &points)
+    {
+      if (!ground.knows_stress() ||
+          (parameters.initial_stress.is_gravity_step() &&
+           std::none_of(parameters.materials.begin(),
+                        parameters.materials.end(),
+                        [](const MaterialParameters &m) {
+                          return m.strength_follows_stress();
+                        })))
+        return;
+      std::vector<double> &values = points.scalar("initial vertical stress");
+      for (std::size_t p = 0; p < points.n_points(); ++p)
+        if (layers[p] < ground.depths().n_layers())
+          values[p] =
+            ground.at(points.initial_position[p], layers[p]).vertical_stress;
+    }
+
+
     /// The soil below the phreatic line gets the weight and the material that
     /// it has there.
     template <int dim>
@@ -139,6 +164,8 @@ namespace Waker
     declare_material_variables(materials, initial_points);
     InitialProperties<dim>(materials, ground)
       .set(layers_of_points, initial_points);
+    ground.record_loads(layers_of_points, initial_points);
+    record_vertical_stress(ground, p, layers_of_points, initial_points);
     pore_water.record(initial_points, WaterLevel(p.water).at(0.));
     prepare_domains(p.mapping.domains, initial_points);
     programmes.prepare(p, initial_points);
@@ -231,32 +258,14 @@ namespace Waker
       throw NumericalFailure("the loads at t = 0 are not finite: is a unit "
                              "weight, a traction or a force too large?");
     initial_wall_tractions.resize(scene.walls.n_spots());
-    scene.walls.reinit(scene.nodes.mass, 0., initial_wall_tractions);
+    scene.walls.reinit(points, scene.nodes.mass, 0., initial_wall_tractions);
+    scene.walls.check_start();
+    idle_walls = scene.walls.idle();
     if (parameters.gravity.initial_stress)
       {
         const NodalVector full = scene.nodes.external_force;
         scene.nodes.external_force *= parameters.gravity.initial_share;
-        gravity_report = gravity_step(materials,
-                                      scene.weights,
-                                      fixities,
-                                      full_node_mass,
-                                      parameters.gravity.tolerance,
-                                      parameters.mapping,
-                                      scene.nodes,
-                                      points,
-                                      scene.resistances());
-        if (!gravity_report.converged)
-          {
-            std::ostringstream message;
-            message << "the gravity step stops at a residual of "
-                    << (gravity_report.residuals.empty()
-                          ? 0.
-                          : gravity_report.residuals.back())
-                    << ", above Gravity/Tolerance "
-                    << parameters.gravity.tolerance
-                    << ": is the body held, and no Poisson's ratio above 0.49?";
-            throw NumericalFailure(message.str());
-          }
+        set_stress(scene);
         scene.nodes.external_force = full; // the rest acts from now on
         give_back_memory();                // what the solver took
       }
@@ -264,19 +273,7 @@ namespace Waker
       scene.set_internal_force(points);
 
     // Newmark starts from the acceleration that fits the forces at t = 0.
-    const double       ramp = residual_ramp(0., parameters.time.ramp_duration);
-    const Stencil<dim> stencil(grid);
-    NodalVector       &a = scene.nodes.acceleration;
-    a                    = scene.nodes.external_force;
-    a -= scene.nodes.internal_force;
-    for (unsigned int dof = 0; dof < grid.n_dofs(); ++dof)
-      {
-        const double mass = scene.nodes.mass[dof / dim];
-        a.begin()[dof] *=
-          (mass > 0. && !fixities.removed()[dof]) ? ramp / mass : 0.;
-      }
-    for (std::size_t q = 0; q < points.n_points(); ++q)
-      points.acceleration[q] = stencil.value(scene.weights[q], a.begin());
+    set_initial_acceleration(*this, scene, points);
   }
 
 

@@ -15,11 +15,13 @@ namespace Waker
                       const Parameters          &p,
                       const PoreWater<dim>      &pore_water)
     : soil_depths(grid, p.layers)
+    , quick_loads(p.tractions, p.layers, soil_depths)
     , pore_water(&pore_water)
     , daily_pore_water(p.pore_water.of_the_daily_water(),
                        p.water.unit_weight,
                        {},
-                       WaterLevel(p.water).at(0.))
+                       p.initial_stress.level().value_or(
+                         WaterLevel(p.water).at(0.)))
     , water_weight(p.water.unit_weight)
     , has_gravity(p.gravity.acceleration > 0.)
     , stress_is_known(p.pore_water.is_there() || !p.water.stands())
@@ -35,9 +37,10 @@ namespace Waker
                        [&](const auto &m) { return m.name == layer.material; });
         AssertThrow(material != p.materials.end(), ExcInternalError());
         const unsigned int number = material - p.materials.begin();
-        unit_weights.push_back(
-          {share * material->unit_weight,
-           share * unit_weight_below_line(p.materials, number)});
+        soils.push_back({share * material->unit_weight,
+                         share * unit_weight_below_line(p.materials, number),
+                         number,
+                         material_below_line(p.materials, number)});
       }
     for (const TractionParameters &traction : p.tractions)
       if (traction.kind == TractionKind::hydrostatic)
@@ -49,7 +52,8 @@ namespace Waker
   double
   Ground<dim>::vertical_stress(const Column         &column,
                                const Point<dim>     &x,
-                               const PoreWater<dim> &water) const
+                               const PoreWater<dim> &water,
+                               const WeightRatio    &weight_ratio) const
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const double line   = water.empty() ? -infinity : water.line().height(x[0]);
@@ -59,9 +63,18 @@ namespace Waker
         const double low = std::max(stretch.low, x[1]);
         if (!(stretch.high > low))
           continue;
-        const double border = std::clamp(line, low, stretch.high);
-        stress += unit_weights[layer].above_line * (stretch.high - border) +
-                  unit_weights[layer].below_line * (border - low);
+        const double       border = std::clamp(line, low, stretch.high);
+        const SoilOfLayer &soil   = soils[layer];
+        double             dry    = soil.above_line * (stretch.high - border);
+        double             wet    = soil.below_line * (border - low);
+        if (weight_ratio)
+          {
+            if (stretch.high > border)
+              dry *= weight_ratio(soil.material, x, border, stretch.high);
+            if (border > low)
+              wet *= weight_ratio(soil.material_below_line, x, low, border);
+          }
+        stress += dry + wet;
         wet_soil += border - low;
       }
     if (water.empty())
@@ -74,7 +87,9 @@ namespace Waker
 
   template <int dim>
   InGround
-  Ground<dim>::at(const Point<dim> &x, const unsigned int layer) const
+  Ground<dim>::at(const Point<dim>  &x,
+                  const unsigned int layer,
+                  const WeightRatio &weight_ratio) const
   {
     const Depths depths = soil_depths.at(x, layer);
     if (layer >= soil_depths.n_layers())
@@ -82,8 +97,34 @@ namespace Waker
     const auto column = soil_depths.column(x);
     return {depths.below_surface,
             depths.in_layer,
-            vertical_stress(column, x, *pore_water),
-            vertical_stress(column, x, daily_pore_water)};
+            vertical_stress(column, x, *pore_water, weight_ratio) +
+              quick_loads.stress(x) - load_pressure(x, layer),
+            vertical_stress(column, x, daily_pore_water, weight_ratio)};
+  }
+
+
+  template <int dim>
+  double
+  Ground<dim>::load_pressure(const Point<dim>  &x,
+                             const unsigned int layer) const
+  {
+    // Above the line there is air, too.
+    if (pore_water->empty() || x[1] > pore_water->line().height(x[0]))
+      return 0.;
+    return quick_loads.pore_pressure(x, layer);
+  }
+
+
+  template <int dim>
+  void
+  Ground<dim>::record_loads(const std::vector<unsigned int> &layers,
+                            MaterialPoints<dim>             &points) const
+  {
+    if (quick_loads.empty())
+      return;
+    std::vector<double> &values = points.scalar("pore pressure of loads");
+    for (std::size_t p = 0; p < points.n_points(); ++p)
+      values[p] = load_pressure(points.initial_position[p], layers[p]);
   }
 
 
@@ -92,19 +133,30 @@ namespace Waker
   Ground<dim>::check(const PlaceExpression<dim> &expression,
                      const std::string          &path) const
   {
-    if (expression.asks_for_stress() && !has_gravity)
+    if (expression.asks_for_stress())
+      require_stress(path,
+                     "asks for the effective vertical stress (\"" +
+                       expression.text() + "\")",
+                     "a strength without it");
+  }
+
+
+  template <int dim>
+  void
+  Ground<dim>::require_stress(const std::string &path,
+                              const std::string &what,
+                              const std::string &otherwise) const
+  {
+    if (!has_gravity)
       throw UserError(path,
-                      "asks for the vertical stress (\"" + expression.text() +
-                        "\"), and Gravity/Acceleration is 0",
-                      "a strength without it, or gravity");
-    if (expression.asks_for_stress() && !stress_is_known)
+                      what + ", and Gravity/Acceleration is 0",
+                      otherwise + ", or gravity");
+    if (!stress_is_known)
       throw UserError(path,
-                      "asks for the effective vertical stress (\"" +
-                        expression.text() +
-                        "\"), and water stands on the soil, but nothing says "
-                        "where it is in the ground",
-                      "a strength without it, or a phreatic line (Pore "
-                      "water/Phreatic line)");
+                      what + ", and water stands on the soil, but nothing says "
+                             "where it is in the ground",
+                      otherwise +
+                        ", or a phreatic line (Pore water/Phreatic line)");
   }
 
 

@@ -23,7 +23,23 @@ namespace Waker
     for (const auto &material : materials)
       {
         properties.emplace_back();
-        std::vector<std::string> symbols; // of the variables before
+        std::vector<std::string> symbols; // and those of the variables before
+        coefficient_values.emplace_back();
+        // Those that follow from others come after all of these.
+        for (const MaterialVariable &coefficient : material->coefficients())
+          {
+            const InitialValue &value = coefficient.initial_value;
+            if (value.varies())
+              {
+                properties.back().push_back({coefficient, {}});
+                properties.back().back().expression.emplace(value.expression,
+                                                            value.path,
+                                                            symbols);
+              }
+            else
+              coefficient_values.back().push_back(value.number);
+            symbols.push_back(coefficient.symbol);
+          }
         for (const MaterialVariable &variable : material->variables())
           {
             const InitialValue &value = variable.initial_value;
@@ -46,17 +62,40 @@ namespace Waker
                              const Point<dim>  &x,
                              const unsigned int layer) const
   {
-    const InGround      place = ground->at(x, layer);
-    std::vector<double> values, known; // known to those further down
+    return at(material, x, ground->at(x, layer), coefficients(material));
+  }
+
+
+  template <int dim>
+  std::vector<double>
+  InitialProperties<dim>::at(const unsigned int         material,
+                             const Point<dim>          &x,
+                             const InGround            &place,
+                             const std::vector<double> &coefficients) const
+  {
+    std::vector<double> values, known = coefficients; // to those further down
     for (const Property &property : properties[material])
       {
-        values.push_back(property.expression
-                           ? property.expression->value(x, place, known)
-                           : property.variable.initial_value.number);
+        const double value = property.expression
+                               ? property.expression->value(x, place, known)
+                               : property.variable.initial_value.number;
+        if (property.variable.role != MaterialVariable::Role::coefficient)
+          values.push_back(value);
         if (!property.variable.symbol.empty())
-          known.push_back(values.back());
+          known.push_back(value);
       }
     return values;
+  }
+
+
+  template <int dim>
+  bool
+  InitialProperties<dim>::asks_for_stress(const unsigned int material) const
+  {
+    const std::vector<Property> &list = properties[material];
+    return std::any_of(list.begin(), list.end(), [](const Property &property) {
+      return property.expression && property.expression->asks_for_stress();
+    });
   }
 
 
@@ -67,11 +106,14 @@ namespace Waker
   {
     for (unsigned int m = 0; m < properties.size(); ++m)
       {
-        const std::vector<Property> &list = properties[m];
+        std::vector<const Property *> list; // of the variables alone
+        for (const Property &property : properties[m])
+          if (property.variable.role != MaterialVariable::Role::coefficient)
+            list.push_back(&property);
         if (std::none_of(list.begin(),
                          list.end(),
-                         [](const Property &property) {
-                           return property.expression.has_value();
+                         [](const Property *property) {
+                           return property->expression.has_value();
                          }))
           continue;
         for (std::size_t p = 0; p < points.n_points(); ++p)
@@ -82,7 +124,7 @@ namespace Waker
             const std::vector<double> values = at(m, x, layers[p]);
             const auto                refuse = [&](const unsigned int v,
                                     const std::string &allowed) {
-              const Property     &property = list[v];
+              const Property     &property = *list[v];
               const InitialValue &value = property.variable.initial_value;
               std::ostringstream  what;
               if (value.varies())
@@ -102,7 +144,7 @@ namespace Waker
               refuse(problem->first, problem->second);
             // Soil that its water carries has no strength to speak of.
             for (unsigned int v = 0; v < values.size(); ++v)
-              if (list[v].expression && list[v].expression->asks_for_stress())
+              if (list[v]->expression && list[v]->expression->asks_for_stress())
                 {
                   const InGround place = ground->at(x, layers[p]);
                   if (std::min(place.vertical_stress,
@@ -112,7 +154,7 @@ namespace Waker
                            "(Saturated unit weight)");
                 }
             for (unsigned int v = 0; v < values.size(); ++v)
-              points.scalar(list[v].variable.name)[p] = values[v];
+              points.scalar(list[v]->variable.name)[p] = values[v];
           }
       }
   }

@@ -13,6 +13,7 @@
 #include <waker/mechanics/time_scheme.h>
 #include <waker/particles/layer.h>
 
+#include "long_step_checks.h"
 #include "pore_water_checks.h"
 #include <algorithm>
 #include <limits>
@@ -319,11 +320,13 @@ namespace Waker
     mapping.check();
     time.check();
     check_time_scheme(time, gravity, mapping);
+    check_long_steps(*this);
     newton.check();
     initial_failure.check();
     sliding.check();
     stop.check();
     strength_reduction.check();
     output.check();
+    check_initial_stress(*this);
   }
 } // namespace Waker

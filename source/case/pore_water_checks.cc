@@ -5,29 +5,13 @@
 #include <waker/base/numbers.h>
 #include <waker/base/text.h>
 
+#include "head_line_checks.h"
 #include <algorithm>
 
 namespace Waker
 {
   namespace
   {
-    void
-    check_reach(const Parameters   &p,
-                const PhreaticLine &line,
-                const std::string  &path)
-    {
-      for (const LayerParameters &layer : p.layers)
-        for (const auto &corner : layer.corners())
-          if (corner[0] < line.begin() || corner[0] > line.end())
-            throw UserError(path,
-                            "reaches from x = " + in_digits(line.begin()) +
-                              " to " + in_digits(line.end()) +
-                              " m, the layer \"" + layer.name + "\" to " +
-                              in_digits(corner[0]) + " m",
-                            "a line over all soil");
-    }
-
-
     /// Is there no water in it, ever?
     bool
     stays_above_line(const Parameters &p, const MaterialParameters &material)
@@ -77,10 +61,22 @@ namespace Waker
   check_pore_water(const Parameters &p)
   {
     p.pore_water.check();
+    check_quick_loads(p);
     for (const MaterialParameters &material : p.materials)
-      check_below_line(p, material);
+      {
+        check_below_line(p, material);
+        // Its law would get no stress that it could take the pressure from.
+        if (material.pore_fluid_stiffness > 0. &&
+            p.mapping.strain == StrainMeasure::logarithmic)
+          throw UserError("Materials/" + material.name +
+                            "/Pore fluid stiffness",
+                          "is " + in_digits(material.pore_fluid_stiffness) +
+                            " kPa, with logarithmic strain",
+                          "0, or Kinematics and mapping/Strain = step");
+      }
     if (!p.pore_water.is_there())
       {
+        check_without_line(p);
         if (!tidy(p.pore_water.daily_phreatic_line).empty())
           throw UserError("Pore water/Daily phreatic line",
                           "is there, and Phreatic line is empty",
@@ -147,18 +143,6 @@ namespace Waker
                           ", but there is drained soil with water in it, "
                           "which would boil",
                         "0");
-    if (p.pore_water.follows_water() && !p.water.stands())
-      throw UserError("Pore water/Lines by level",
-                      "is there, and no water stands outside",
-                      "a Phreatic line, or Water/Side = left or right");
-    const PhreaticLines lines = p.pore_water.lines();
-    const PhreaticLines daily = p.pore_water.of_the_daily_water().lines();
-    for (const PhreaticLine &line : lines.all())
-      check_reach(p,
-                  line,
-                  p.pore_water.follows_water() ? "Pore water/Lines by level"
-                                               : "Pore water/Phreatic line");
-    for (const PhreaticLine &line : daily.all())
-      check_reach(p, line, "Pore water/Daily phreatic line");
+    check_lines_of_water(p);
   }
 } // namespace Waker

@@ -5,6 +5,7 @@
 #include <waker/mapping/transfer.h>
 #include <waker/mechanics/point_motion.h>
 #include <waker/mechanics/time_scheme.h>
+#include <waker/nodes/wall_spots.h>
 
 #include <algorithm>
 
@@ -17,7 +18,8 @@ namespace Waker
     , surfaces(the_case.grid,
                the_case.parameters.surface,
                weights.functions(),
-               the_case.fixities.closed_faces())
+               the_case.fixities.closed_faces() |
+                 faces_along_walls(the_case.grid, the_case.parameters.walls))
     , water(the_case.grid,
             the_case.parameters.water,
             the_case.parameters.surface)
@@ -115,9 +117,8 @@ namespace Waker
   void
   Scene<dim>::set_loads(State<dim> &state)
   {
-    // What a load programme adds is known from the step before.
     the_case->pore_water.record(part != nullptr ? part->points() : state.points,
-                                water.level().at(state.time));
+                                state.pore_water);
     do_at_step(state.step,
                [&]() { add_up_loads(state.points, state.time, state.loads); });
     tractions.record(state.time, state.tractions);
@@ -128,7 +129,7 @@ namespace Waker
   void
   Scene<dim>::meet_walls(State<dim> &state)
   {
-    walls.reinit(nodes.mass, state.time, state.wall_tractions);
+    walls.reinit(state.points, nodes.mass, state.time, state.wall_tractions);
   }
 
 
@@ -194,12 +195,17 @@ namespace Waker
   double
   Scene<dim>::last_load_change(const double unknown) const
   {
-    double last = full_loads_from(the_case->parameters.time);
-    for (const double change : {water.level().last_change(),
-                                tractions.last_change(),
+    const auto known = [=](const double change) {
+      return change == LastChange::unknown ? unknown : change;
+    };
+    // The water in the ground comes after that outside.
+    double last = std::max(full_loads_from(the_case->parameters.time),
+                           known(water.level().last_change()) +
+                             the_case->pore_water.time_to_settle());
+    for (const double change : {tractions.last_change(),
                                 walls.last_change(),
                                 the_case->fixities.last_change()})
-      last = std::max(last, change == LastChange::unknown ? unknown : change);
+      last = std::max(last, known(change));
     return last;
   }
 

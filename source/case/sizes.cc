@@ -17,11 +17,13 @@ namespace Waker
     constexpr double most_snapshots = 1e5;
 
 
-    /// Does each step of the scheme factorise a matrix?
+    /// Do steps of the scheme, of those with long steps these, factorise a
+    /// matrix?
     bool
     factorises(const TimeParameters &time)
     {
-      return !scheme_traits(time).has_inertia;
+      return !scheme_traits(time).has_inertia ||
+             scheme_traits(time).has_long_steps;
     }
 
 
@@ -59,7 +61,10 @@ namespace Waker
     RunSizes                sizes;
     sizes.time_step =
       first_time_step(time, materials, parameters.grid.cell_size);
-    sizes.steps = std::ceil(time.end_time / sizes.time_step * (1. - 1e-12));
+    // While all rests; nobody knows how long it will move.
+    const double step =
+      scheme_traits(time).has_long_steps ? time.longest_step : sizes.time_step;
+    sizes.steps = std::ceil(time.end_time / step * (1. - 1e-12));
 
     // Microseconds per point and step: see doc/verification/performance.md. A
     // quasi-static step factorises a matrix in each iteration; the contour of

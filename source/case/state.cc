@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/case/case.h>
 #include <waker/case/state.h>
+#include <waker/loads/water_level.h>
 #include <waker/mechanics/energy.h>
+#include <waker/mechanics/time_scheme.h>
 
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
@@ -16,7 +18,7 @@ namespace Waker
   namespace
   {
     /// Raised when what is stored changes.
-    constexpr unsigned int this_layout = 1;
+    constexpr unsigned int this_layout = 2;
 
 
     // Doubles and tensors of doubles: their bytes are their value.
@@ -55,12 +57,13 @@ namespace Waker
       for (std::vector<Point<dim>> &vertices : state.surface_vertices)
         array(archive, vertices);
       array(archive, state.wall_tractions);
-      archive &state.tractions &state.loads &state.settlement_rate;
+      archive &state.tractions &state.loads &state.settlement_rate &state
+        .pore_water;
       archive &state.time &state.step &state.flow &state.energy &state
         .failure &state.sliding &state.rest &state.mean_plastic_strain &state
         .displacement_rate &state.last_dt &state.halvings &state
         .steps_since_change &state.newton_iterations &state
-        .linear_iterations                           &state.unconverged_steps;
+        .linear_iterations &state.unconverged_steps &state.long_steps;
     }
   } // namespace
 
@@ -103,7 +106,15 @@ namespace Waker
       elastic_energy(state.points, the_case.materials);
     state.energy.elastic = state.energy.elastic_start;
     state.loads          = the_case.programmes.start();
+    state.pore_water =
+      the_case.pore_water.start(WaterLevel(the_case.parameters.water).at(0.));
     the_case.flow.start(state);
+    // Whether what is there at t = 0 is in balance is seen by a short one.
+    const TimeParameters &time = the_case.parameters.time;
+    state.long_steps.active =
+      scheme_traits(time).has_long_steps && state.energy.kinetic_start == 0.;
+    if (state.long_steps.active)
+      state.halvings = time.maximum_halvings;
     return state;
   }
 

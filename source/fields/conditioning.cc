@@ -25,6 +25,7 @@ namespace Waker
     bool                     exact;  // no errors of measurement
 
     Eigen::LLT<Eigen::MatrixXd> covariance; // C_oo + E
+    double                      common;     // variance
 
     /// Covariances for lags (l_x, l_y, l_z) with -n_x < l_x < n_x, the others
     /// from 0 on: row (l_y, l_z) starts with l_x = -(n_x - 1).
@@ -39,10 +40,12 @@ namespace Waker
                              const std::vector<MeasuredScore> &measurements,
                              const double                      cell_variance,
                              const double                      error_variance,
-                             const std::string                &path)
+                             const std::string                &path,
+                             const double                      common_variance)
     : kriging(std::make_unique<Kriging>())
   {
-    Assert(cell_variance > 0., dealii::ExcMessage("variance <= 0"));
+    Assert(cell_variance + common_variance > 0.,
+           dealii::ExcMessage("variance <= 0"));
     Assert(error_variance >= 0., dealii::ExcMessage("error variance < 0"));
 
     struct Mean
@@ -68,6 +71,7 @@ namespace Waker
     o.lattice        = lattice;
     o.n_measurements = measurements.size();
     o.exact          = error_variance == 0.;
+    o.common         = common_variance;
     o.scores.resize(means.size());
     o.errors.resize(means.size());
     for (const auto &[cell, mean] : means)
@@ -81,7 +85,7 @@ namespace Waker
     std::vector<double> table = correlation.table(lattice.cell_size, n);
     const double        scale = cell_variance / table[0];
     for (double &c : table)
-      c *= scale;
+      c = scale * c + common_variance;
     o.lags.reserve((2 * n[0] - 1) * n[1] * n[2]);
     for (auto row = table.cbegin(); row != table.cend(); row += n[0])
       {
@@ -135,7 +139,7 @@ namespace Waker
 
 
 
-  void
+  double
   Conditioning::apply(const double *noise, double *values) const
   {
     const Kriging &o = *kriging;
@@ -169,6 +173,7 @@ namespace Waker
     if (o.exact) // remove the rounding errors
       for (std::size_t i = 0; i < o.cells.size(); ++i)
         values[o.cells[i]] = o.scores[i];
+    return o.common * o.residual.sum();
   }
 
 

@@ -15,25 +15,37 @@ namespace Waker
   {
     prm.add_parameter("Material",
                       material,
-                      "Name of the material whose points get the field. Empty: "
-                      "the only material there is.",
+                      "Name of the material whose points get the field, or "
+                      "several, separated by commas, or all: those that have "
+                      "the property. One field then runs through all of them, "
+                      "with the same normal scores and each one's own mean. "
+                      "Empty: the only material there is.",
                       Patterns::Anything());
-    add_choice(prm,
-               "Property",
-               property,
-               "The property that varies, one that the law of the material "
-               "has. A field of a strength takes what is left of it after "
-               "softening with it, in the ratio that the material has (fully "
-               "correlated), unless that has a field of its own. Angles are "
-               "in degrees, and cut off at 89.");
+    add_choice(
+      prm,
+      "Property",
+      property,
+      "The property that varies, one that the law of the material "
+      "has. A field of a strength takes what is left of it after "
+      "softening with it, in the ratio that the material has (fully "
+      "correlated), unless that has a field of its own. Angles are "
+      "in degrees, and cut off at 89. Strength ratio, strength "
+      "exponent and POP (kPa) are those of Strength from = SHANSEP, "
+      "strength at top (kPa) and strength growth (kPa/m) those of "
+      "depth and depth in layer: each point gets the strength that "
+      "follows from them. Strength factor (-): by which a Shear "
+      "strength table is multiplied, on the average 1. Unit weight (kN/m^3; what is below the "
+      "phreatic line varies in the same ratio): also masses, the "
+      "vertical stress and the initial stress follow. Young's "
+      "modulus (kPa): also the initial stress.");
     prm.add_parameter(
       "Mean",
       mean,
-      "Mean (kPa, degrees): a number, or an expression of x, y, z, "
+      "Mean (of the property's unit): a number, or an expression of x, y, z, "
       "depth, depth_in_layer (m), vertical_stress, "
       "daily_vertical_stress (kPa; see Materials/<name>/Initial "
       "strength), for example \"5 + 1.5*depth\". Empty: the "
-      "material's own value.",
+      "material's own value. Of a unit weight a number, or nothing.",
       ExpressionPattern());
     prm.add_parameter(
       "Coefficient of variation",
@@ -43,7 +55,7 @@ namespace Waker
       Patterns::Double(0.));
     prm.add_parameter("Standard deviation",
                       standard_deviation,
-                      "Not 0: standard deviation (kPa, degrees) instead of the "
+                      "Not 0: standard deviation (in that unit) instead of the "
                       "coefficient of variation: a number, or an expression "
                       "like that of the mean.",
                       ExpressionPattern());
@@ -62,12 +74,22 @@ namespace Waker
                "lies between them.");
     prm.add_parameter("Minimum",
                       minimum,
-                      "Least value (kPa, degrees), 0 or more.",
+                      "Least value (in the property's unit), 0 or more; of a "
+                      "unit weight or Young's modulus above 0, unless it is "
+                      "lognormal.",
                       Patterns::Double(0.));
     prm.add_parameter("Maximum",
                       maximum,
-                      "Largest value (kPa, degrees).",
+                      "Largest value (in the property's unit).",
                       Patterns::Double(0.));
+    prm.add_parameter("Local share",
+                      local_share,
+                      "Share of the variance (-), 0 to 1, that varies from "
+                      "place to place; the rest is of the average of the "
+                      "soil, one random number per realisation, which the "
+                      "records keep. 1: a field without it. 0: nothing but "
+                      "it, the same everywhere.",
+                      Patterns::Double(0., 1.));
     add_choice(prm,
                "Correlation function",
                correlation,
@@ -107,6 +129,13 @@ namespace Waker
   }
 
 
+  std::vector<std::string>
+  RandomFieldParameters::material_names() const
+  {
+    return split(material, ',');
+  }
+
+
   bool
   RandomFieldParameters::has_standard_deviation() const
   {
@@ -139,6 +168,10 @@ namespace Waker
         throw UserError(path + "/Cell size",
                         "contains " + text(size),
                         "numbers above 0");
+    if (!(local_share >= 0. && local_share <= 1.))
+      throw UserError(path + "/Local share",
+                      "is " + text(local_share),
+                      "0 to 1");
     if (!(maximum > minimum))
       throw UserError(path + "/Maximum",
                       "is " + text(maximum),
@@ -148,6 +181,29 @@ namespace Waker
                       "is not given",
                       "a number above Minimum: a beta distribution lies "
                       "between the two");
+    if (property == FieldProperty::unit_weight ||
+        property == FieldProperty::youngs_modulus)
+      {
+        if (distribution != Marginal::Kind::lognormal && !(minimum > 0.))
+          throw UserError(path + "/Minimum",
+                          "is " + text(minimum) + " of a " + name_of(property) +
+                            ", whose \"" + std::string(name_of(distribution)) +
+                            "\" distribution reaches down to it",
+                          "a number above 0, or a lognormal distribution");
+      }
+    if (property == FieldProperty::unit_weight)
+      {
+        // The weight of a column is summed up cell by cell.
+        if (!mean.empty() && !plain_number(mean))
+          throw UserError(path + "/Mean",
+                          "is " + in_quotes(mean) + ", of a unit weight",
+                          "a number (kN/m^3), or nothing: the material's own");
+        if (!plain_number(standard_deviation))
+          throw UserError(path + "/Standard deviation",
+                          "is " + in_quotes(standard_deviation) +
+                            ", of a unit weight",
+                          "a number (kN/m^3)");
+      }
     // Its scores vary less than a standard normal number: these two
     // distributions would keep neither mean nor form.
     if (statistics == FieldStatistics::points &&
@@ -170,8 +226,8 @@ namespace Waker
       "Correlation of the normal scores of two fields at the "
       "same place, \"a, b: 0.5; a, c: -0.2\", -1 to 1; those not "
       "named are independent. Correlated fields must have the "
-      "same correlation function, scales, cells, generator and "
-      "statistics.",
+      "same correlation function, scales, cells, generator, "
+      "statistics and local share.",
       Patterns::Anything());
   }
 
@@ -249,12 +305,12 @@ namespace Waker
             continue;
           if (a.correlation != b.correlation || a.scales != b.scales ||
               a.cell_size != b.cell_size || a.generator != b.generator ||
-              a.statistics != b.statistics)
+              a.statistics != b.statistics || a.local_share != b.local_share)
             throw UserError("Random fields/Correlations",
                             "correlates \"" + a.name + "\" and \"" + b.name +
                               "\", which are made in different ways",
                             "the same correlation function, scales, cell size, "
-                            "generator and statistics for both");
+                            "generator, statistics and local share for both");
           if (!b.measurements.empty())
             throw UserError("Random fields/" + b.name + "/Measurements",
                             "of a field that is correlated with one before it",

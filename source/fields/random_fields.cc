@@ -77,21 +77,31 @@ namespace Waker
     const std::size_t n = parameters.fields.size();
     for (std::size_t f = 0; f < n; ++f)
       {
-        const RandomFieldParameters &p    = parameters.fields[f];
-        const std::string            path = "Random fields/" + p.name;
-        check_scales(p, lattices[f], path);
+        const RandomFieldParameters &p        = parameters.fields[f];
+        const std::string            path     = "Random fields/" + p.name;
+        const bool                   is_local = p.local_share > 0.;
+        if (is_local)
+          check_scales(p, lattices[f], path);
         const Correlation correlation(p.correlation, p.scales);
         const bool        of_cells = p.statistics == FieldStatistics::cells;
         Field             field;
-        field.name     = p.name;
-        field.lattice  = lattices[f];
-        field.gamma    = correlation.between_cells(lattices[f].cell_size, {});
-        field.scale    = of_cells ? 1. / std::sqrt(field.gamma) : 1.;
-        field.variance = of_cells ? 1. : field.gamma;
+        field.name    = p.name;
+        field.lattice = lattices[f];
+        field.gamma =
+          is_local ? correlation.between_cells(lattices[f].cell_size, {}) : 1.;
+        const double of_average = 1. - p.local_share;
+        const double of_field   = p.local_share * (of_cells ? 1. : field.gamma);
+        field.scale = (of_cells ? 1. / std::sqrt(field.gamma) : 1.) *
+                      std::sqrt(p.local_share);
+        field.average  = std::sqrt(of_average);
+        field.variance = of_average + of_field;
         field.scales   = p.scales;
-        field.generator =
-          make_field_generator(p.generator, lattices[f], correlation, path);
-        total_noise += field.generator->n_noise();
+        if (is_local)
+          {
+            field.generator =
+              make_field_generator(p.generator, lattices[f], correlation, path);
+            total_noise += field.generator->n_noise();
+          }
 
         if (!p.measurements.empty())
           {
@@ -104,13 +114,17 @@ namespace Waker
               lattices[f],
               correlation,
               measured,
-              field.variance,
+              of_field,
               p.measurement_error * p.measurement_error * field.variance,
-              path);
+              path,
+              of_average);
             total_noise += field.conditioning->n_noise();
           }
         fields.push_back(std::move(field));
       }
+    // The averages come last: with and without them the fields are the same.
+    for (const Field &field : fields)
+      total_noise += field.average > 0. ? 1 : 0;
 
     mixing = mixing_matrix(parameters.correlation_matrix(), n);
     for (std::size_t i = 0; i < n; ++i)
@@ -128,15 +142,24 @@ namespace Waker
     std::vector<std::string> lines;
     for (const Field &field : fields)
       {
-        std::ostringstream cells;
-        for (unsigned int d = 0; d < field.lattice.dim; ++d)
-          cells << (d > 0 ? " x " : ", ") << std::setprecision(3)
-                << field.scales[d] / field.lattice.cell_size[d];
-        lines.push_back(
-          "Random field \"" + field.name +
-          "\": " + field.generator->description() + cells.str() +
-          " cells per scale of fluctuation" +
-          (field.conditioning ? ", " + field.conditioning->description() : ""));
+        std::ostringstream text;
+        text << "Random field \"" << field.name << "\": ";
+        if (field.generator)
+          {
+            text << field.generator->description() << std::setprecision(3);
+            for (unsigned int d = 0; d < field.lattice.dim; ++d)
+              text << (d > 0 ? " x " : ", ")
+                   << field.scales[d] / field.lattice.cell_size[d];
+            text << " cells per scale of fluctuation";
+            if (field.average > 0.)
+              text << "; " << field.average * field.average
+                   << " of the variance is that of the average";
+          }
+        else
+          text << "one number per realisation";
+        if (field.conditioning)
+          text << ", " << field.conditioning->description();
+        lines.push_back(text.str());
       }
     return lines;
   }
@@ -148,6 +171,8 @@ namespace Waker
     std::vector<std::string> lines;
     for (const Field &field : fields)
       {
+        if (!field.generator)
+          continue;
         std::ostringstream few;
         for (unsigned int d = 0; d < field.lattice.dim; ++d)
           if (field.scales[d] / field.lattice.cell_size[d] <
@@ -167,22 +192,35 @@ namespace Waker
 
   void
   RandomFields::generate(const double                     *noise,
-                         std::vector<std::vector<double>> &scores) const
+                         std::vector<std::vector<double>> &scores,
+                         std::vector<double>              &averages) const
   {
     const std::size_t n = fields.size();
     scores.resize(n);
+    averages.assign(n, 0.);
+    const double *of_average = noise + total_noise;
+    for (std::size_t f = n; f-- > 0;)
+      if (fields[f].average > 0.)
+        averages[f] = fields[f].average * *--of_average;
+
     for (std::size_t f = 0; f < n; ++f)
       {
         const Field &field = fields[f];
-        scores[f].resize(field.lattice.n());
-        field.generator->generate(noise, scores[f].data());
-        noise += field.generator->n_noise();
-        if (field.scale != 1.)
-          for (double &value : scores[f])
-            value *= field.scale;
+        scores[f].assign(field.lattice.n(), averages[f]);
+        if (field.generator)
+          {
+            field.generator->generate(noise, scores[f].data());
+            noise += field.generator->n_noise();
+            if (field.scale != 1.)
+              for (double &value : scores[f])
+                value *= field.scale;
+            if (field.average > 0.)
+              for (double &value : scores[f])
+                value += averages[f];
+          }
         if (field.conditioning)
           {
-            field.conditioning->apply(noise, scores[f].data());
+            averages[f] += field.conditioning->apply(noise, scores[f].data());
             noise += field.conditioning->n_noise();
           }
       }
@@ -194,10 +232,14 @@ namespace Waker
           const double own = mixing[i * n + i];
           for (double &value : scores[i])
             value *= own;
+          averages[i] *= own;
           for (std::size_t j = 0; j < i; ++j)
             if (mixing[i * n + j] != 0.)
-              for (std::size_t c = 0; c < scores[i].size(); ++c)
-                scores[i][c] += mixing[i * n + j] * scores[j][c];
+              {
+                for (std::size_t c = 0; c < scores[i].size(); ++c)
+                  scores[i][c] += mixing[i * n + j] * scores[j][c];
+                averages[i] += mixing[i * n + j] * averages[j];
+              }
         }
   }
 } // namespace Waker

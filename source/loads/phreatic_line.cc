@@ -45,6 +45,16 @@ namespace Waker
   }
 
 
+  PhreaticLine::PhreaticLine(std::vector<double>                        places,
+                             const std::function<double(const double)> &height)
+  {
+    std::sort(places.begin(), places.end());
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+    for (const double x : places)
+      corners.push_back({{x, height(x)}});
+  }
+
+
   double
   PhreaticLine::height(const double x) const
   {
@@ -74,13 +84,9 @@ namespace Waker
     for (const PhreaticLine *const line : {&a, &b})
       for (const auto &corner : line->corners)
         places.push_back(corner[0]);
-    std::sort(places.begin(), places.end());
-    places.erase(std::unique(places.begin(), places.end()), places.end());
-    PhreaticLine line;
-    for (const double x : places)
-      line.corners.push_back(
-        {{x, (1. - share) * a.height(x) + share * b.height(x)}});
-    return line;
+    return PhreaticLine(places, [&](const double x) {
+      return (1. - share) * a.height(x) + share * b.height(x);
+    });
   }
 
 

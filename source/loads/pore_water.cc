@@ -16,6 +16,7 @@ namespace Waker
   namespace
   {
     const char *const scalar_name = "pore pressure";
+    const char *const of_loads    = "pore pressure of loads";
   } // namespace
 
 
@@ -31,7 +32,8 @@ namespace Waker
       "hydrostatic, with Water/Unit weight. It must reach over "
       "all soil; beyond its ends it is level. It stays as it "
       "is, whatever the water outside does. Empty: no water in "
-      "the ground, and stresses are total.",
+      "the ground, and stresses are total. Heads that differ from it deeper "
+      "down: sections Head lines and Reference lines.",
       Patterns::Anything());
     prm.add_parameter(
       "Daily phreatic line",
@@ -54,8 +56,18 @@ namespace Waker
       "\"level: x, y; x, y; ... | level: ...\", two or more, levels (m) "
       "ascending. Between two levels the height of the line is "
       "interpolated at each x; below the first it is the first line, above the "
-      "last the last. It follows at once, step by step. Weights, materials "
-      "and strengths stay those of the line at the start.",
+      "last the last. It follows at once, step by step, or with a Delay. "
+      "Weights, materials and strengths stay those of the line at the start.",
+      Patterns::Anything());
+    prm.add_parameter(
+      "Delay",
+      delay,
+      "With Lines by level: how long the line takes to follow (s), at least 0. "
+      "The level that it follows nears the level outside as exp(-t/delay); it "
+      "begins in balance. A number, or a table \"x: delay, x: delay, "
+      "...\" (m, s) with 0 at the outer slope and more towards the inside; "
+      "between two places what has arrived is interpolated, beyond them it is "
+      "constant.",
       Patterns::Anything());
     add_choice(prm,
                "Pressure of",
@@ -80,6 +92,24 @@ namespace Waker
   }
 
 
+  bool
+  PoreWaterParameters::anything_follows_water() const
+  {
+    return follows_water() || std::any_of(head_lines.begin(),
+                                          head_lines.end(),
+                                          [](const HeadLineParameters &line) {
+                                            return line.follows_water();
+                                          });
+  }
+
+
+  FollowingLine
+  PoreWaterParameters::following() const
+  {
+    return FollowingLine(lines(), LineDelay(delay, "Pore water/Delay"));
+  }
+
+
   PhreaticLines
   PoreWaterParameters::lines() const
   {
@@ -99,6 +129,8 @@ namespace Waker
         daily.phreatic_line  = daily_phreatic_line;
         daily.lines_by_level = "";
       }
+    for (HeadLineParameters &line : daily.head_lines)
+      line = line.of_the_daily_water();
     return daily;
   }
 
@@ -114,9 +146,31 @@ namespace Waker
       throw UserError("Pore water/Lines by level",
                       "is there, and so is Phreatic line",
                       "one of them");
-    lines();
+    following();
     PhreaticLine(daily_phreatic_line, "Pore water/Daily phreatic line");
+    for (const HeadLineParameters &line : head_lines)
+      line.check();
+    for (const ReferenceLineParameters &line : reference_lines)
+      line.check();
   }
+
+
+  namespace
+  {
+    /// Number of a line of heads: 0 for the phreatic one.
+    unsigned int
+    number_of(const std::string                     &name,
+              const std::vector<HeadLineParameters> &lines)
+    {
+      if (tidy(name).empty())
+        return 0;
+      for (unsigned int i = 0; i < lines.size(); ++i)
+        if (lines[i].name == tidy(name))
+          return i + 1;
+      AssertThrow(false, ExcMessage("no head line " + name));
+      return 0;
+    }
+  } // namespace
 
 
   template <int dim>
@@ -124,20 +178,87 @@ namespace Waker
                             const double               unit_weight,
                             const std::vector<bool>   &of_effective_stress,
                             const double               level)
-    : lines(parameters.lines())
-    , line_at_start(lines.at(level))
+    : heads_at_start({}, {})
     , unit_weight(unit_weight)
     , largest_suction(parameters.largest_suction)
     , pressure_of(parameters.pressure_of)
     , takes_part(of_effective_stress)
-  {}
+  {
+    if (!parameters.is_there())
+      return;
+    lines.push_back(parameters.following());
+    for (const HeadLineParameters &line : parameters.head_lines)
+      lines.push_back(line.following());
+    for (const unsigned int i : from_top_to_bottom(parameters.reference_lines))
+      {
+        const ReferenceLineParameters &line = parameters.reference_lines[i];
+        references.push_back(
+          {line.place(),
+           number_of(line.top_head_line, parameters.head_lines),
+           number_of(line.bottom_head_line, parameters.head_lines)});
+      }
+    heads_at_start = heads(start(level));
+    line_at_start  = heads_at_start.phreatic();
+  }
+
+
+  template <int dim>
+  PoreWaterRecord
+  PoreWater<dim>::start(const double level) const
+  {
+    PoreWaterRecord record;
+    record.level = level;
+    for (const FollowingLine &line : lines)
+      record.arrived.push_back(line.delay().start(level));
+    return record;
+  }
+
+
+  template <int dim>
+  void
+  PoreWater<dim>::follow(const double     level,
+                         const double     dt,
+                         PoreWaterRecord &record) const
+  {
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      lines[i].delay().follow(record.level, level, dt, record.arrived[i]);
+    record.level = level;
+  }
 
 
   template <int dim>
   double
-  PoreWater<dim>::pressure(const PhreaticLine &line, const Point<dim> &x) const
+  PoreWater<dim>::time_to_settle() const
   {
-    return std::max(unit_weight * (line.height(x[0]) - x[1]), -largest_suction);
+    constexpr double n_delays = 7.; // exp(-7) = 0.0009
+    double           largest  = 0.;
+    for (const FollowingLine &line : lines)
+      if (line.moves())
+        largest = std::max(largest, line.delay().largest());
+    return n_delays * largest;
+  }
+
+
+  template <int dim>
+  Heads
+  PoreWater<dim>::heads(const PoreWaterRecord &outside) const
+  {
+    std::vector<PhreaticLine> now;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      now.push_back(lines[i].at(outside.arrived[i]));
+    std::vector<Heads::Reference> with_heads;
+    for (const Reference &r : references)
+      with_heads.push_back({r.line, now[r.above], now[r.below]});
+    return Heads(now.front(), with_heads);
+  }
+
+
+  template <int dim>
+  double
+  PoreWater<dim>::pressure(const Heads &heads, const Point<dim> &x) const
+  {
+    return std::max(unit_weight * (heads.at(x[0], x[1]) - x[1]),
+                    -largest_suction);
   }
 
 
@@ -145,23 +266,28 @@ namespace Waker
   double
   PoreWater<dim>::pressure(const Point<dim> &x) const
   {
-    return pressure(line_at_start, x);
+    return pressure(heads_at_start, x);
   }
 
 
   template <int dim>
   void
-  PoreWater<dim>::record(MaterialPoints<dim> &points, const double level) const
+  PoreWater<dim>::record(MaterialPoints<dim>   &points,
+                         const PoreWaterRecord &outside) const
   {
     if (empty())
       return;
-    const PhreaticLine   line   = lines.at(level);
+    const Heads          now    = heads(outside);
     std::vector<double> &values = points.scalar(scalar_name);
     for (std::size_t p = 0; p < points.n_points(); ++p)
-      values[p] = pressure(line,
+      values[p] = pressure(now,
                            pressure_of == PorePressureOf::place
                              ? points.position[p]
                              : points.initial_position[p]);
+    // It belongs to the soil.
+    if (const int i = points.find_scalar(of_loads); i >= 0)
+      for (std::size_t p = 0; p < points.n_points(); ++p)
+        values[p] += points.scalars[i].values[p];
   }
 
 

@@ -7,6 +7,7 @@
 #include <waker/base/numbers.h>
 #include <waker/base/text.h>
 #include <waker/base/time_function.h>
+#include <waker/loads/quick_loads.h>
 #include <waker/loads/traction.h>
 #include <waker/loads/traction_parameters.h>
 
@@ -187,6 +188,22 @@ namespace Waker
                       "moment. 0: none hands on its load; what falls on nodes "
                       "without mass is lost.",
                       Patterns::Double(0., 0.5));
+    prm.add_parameter(
+      "Consolidation",
+      consolidation,
+      "For a load that the soil has not consolidated under, such as traffic: "
+      "the share (-) of its vertical stress at t = 0 that the grains have "
+      "taken over, a number for all layers or \"layer: degree, ...\", 1 in "
+      "those that are not named. Below the phreatic line the rest is in the "
+      "water (pore pressure of loads), and stays with the soil; it counts in "
+      "vertical_stress (Materials/<name>/Strength from). Needs a box, a number "
+      "as Value, and a phreatic line. Empty: the load is only a force.",
+      Patterns::Anything());
+    prm.add_parameter("Spread",
+                      spread,
+                      "With Consolidation: the angle to the vertical (degrees) "
+                      "at which the load spreads in the ground, 0 to 80.",
+                      Patterns::Double(0., 80.));
   }
 
 
@@ -275,6 +292,8 @@ namespace Waker
                         methods_that([](const MethodFacts &other) {
                           return other.on_points && !other.is_fixed;
                         }));
+    if (!tidy(consolidation).empty())
+      quick_pressure(*this, dim);
     // Can its values be read, also those of another kind?
     if (!tidy(level).empty())
       TimeFunction(level, path + "Level");

@@ -49,10 +49,11 @@ namespace Waker
   void
   LinearElastic::add_elastic_stress(
     const SymmetricTensor<2, 3> &strain_increment,
+    const double                 ratio,
     SymmetricTensor<2, 3>       &stress) const
   {
-    stress += (2. * G) * strain_increment;
-    const double mean = (K - 2. / 3. * G) * trace(strain_increment);
+    stress += (2. * ratio * G) * strain_increment;
+    const double mean = ratio * (K - 2. / 3. * G) * trace(strain_increment);
     for (unsigned int d = 0; d < 3; ++d)
       stress[d][d] += mean;
   }
@@ -61,19 +62,31 @@ namespace Waker
   std::vector<MaterialVariable>
   LinearElastic::variables() const
   {
-    return {};
+    std::vector<MaterialVariable> list;
+    add_stiffness_ratio(list);
+    return list;
+  }
+
+
+  void
+  LinearElastic::add_stiffness_ratio(std::vector<MaterialVariable> &list) const
+  {
+    if (stiffness_varies)
+      list.push_back(
+        {"stiffness ratio", "-", 1., MaterialVariable::Role::stiffness});
   }
 
 
   double
   LinearElastic::update(const SymmetricTensor<2, 3> &strain_increment,
                         SymmetricTensor<2, 3>       &stress,
-                        double *,
-                        SymmetricTensor<4, 3> *tangent) const
+                        double                      *variables,
+                        SymmetricTensor<4, 3>       *tangent) const
   {
-    add_elastic_stress(strain_increment, stress);
+    const double ratio = stiffness_ratio(variables);
+    add_elastic_stress(strain_increment, ratio, stress);
     if (tangent != nullptr)
-      *tangent = elastic_tangent;
+      *tangent = ratio * elastic_tangent;
     return 0.;
   }
 } // namespace Waker

@@ -36,6 +36,7 @@ namespace Waker
         case MaterialVariable::Role::dilatancy:
         case MaterialVariable::Role::stiffness:
         case MaterialVariable::Role::history:
+        case MaterialVariable::Role::coefficient:
           return false;
       }
     AssertThrow(false, ExcInternalError());
@@ -74,6 +75,25 @@ namespace Waker
 
 
   void
+  divide_by_stiffness(const Material        &material,
+                      const unsigned int     n_points,
+                      const Material::Block &block,
+                      const unsigned int     n_rows,
+                      double (*rows)[Material::block_size])
+  {
+    const auto variable = material.stiffness_variable();
+    if (!variable)
+      return;
+    for (unsigned int l = 0; l < n_points; ++l)
+      {
+        const double per_ratio = 1. / block.variables[*variable][l];
+        for (unsigned int a = 0; a < n_rows; ++a)
+          rows[a][l] *= per_ratio;
+      }
+  }
+
+
+  void
   Material::update_block(const unsigned int n_points, Block &block) const
   {
     const unsigned int    n_variables = variables().size();
@@ -88,6 +108,23 @@ namespace Waker
           block.stress[a][l] = stress.access_raw_entry(a);
         for (unsigned int v = 0; v < n_variables; ++v)
           block.variables[v][l] = point_variables[v];
+      }
+  }
+
+
+  void
+  Material::elastic_energy(const Block &block,
+                           double (&energy)[block_size]) const
+  {
+    const double bulk = 0.5 / bulk_modulus(), shear = 0.25 / shear_modulus();
+    const double(*const s)[block_size] = block.stress;
+    for (unsigned int l = 0; l < block_size; ++l)
+      {
+        double square = 0.;
+        for (unsigned int a = 0; a < 6; ++a)
+          square += (a < 3 ? 1. : 2.) * s[a][l] * s[a][l];
+        const double p = (s[0][l] + s[1][l] + s[2][l]) / 3.;
+        energy[l]      = p * p * bulk + (square - 3. * p * p) * shear;
       }
   }
 

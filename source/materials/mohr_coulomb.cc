@@ -132,6 +132,7 @@ namespace Waker
     all.push_back({"plastic strain", "-", 0., Role::history});
     if (!measure.is_local())
       append_softening_history(all);
+    add_stiffness_ratio(all);
     return all;
   }
 
@@ -258,20 +259,22 @@ namespace Waker
                       double                      *variables,
                       SymmetricTensor<4, 3>       *tangent) const
   {
-    double &plastic_strain = variables[number_of_plastic_strain()];
-    add_elastic_stress(strain_increment, stress);
+    double      &plastic_strain = variables[number_of_plastic_strain()];
+    const double ratio          = stiffness_ratio(variables);
+    add_elastic_stress(strain_increment, ratio, stress);
     const PrincipalStress trial = principal_stress(stress);
     MohrCoulombStrength   strength =
       strength_at(variables[number_of_softening_strain()], variables);
     if (MohrCoulombReturn::holds(trial.value, strength))
       {
         if (tangent != nullptr)
-          *tangent = elastic_tangent;
+          *tangent = ratio * elastic_tangent;
         return 0.;
       }
 
-    const double            lame = K - 2. / 3. * G;
-    const MohrCoulombReturn map(G, lame);
+    const double            shear = ratio * G;
+    const double            lame  = ratio * (K - 2. / 3. * G);
+    const MohrCoulombReturn map(shear, lame);
     double                  end = plastic_strain;
     if (softens_in_step())
       end = plastic_strain_after(
@@ -293,7 +296,7 @@ namespace Waker
         const SymmetricTensor<4, 3> of_trial =
           isotropic_derivative(trial, result.stress, slope);
         // After the elastic D = lame 1 x 1 + 2 G I.
-        *tangent = (2. * G) * of_trial;
+        *tangent = (2. * shear) * of_trial;
         const SymmetricTensor<2, 3> of_pressure =
           of_trial * unit_symmetric_tensor<3>();
         *tangent +=

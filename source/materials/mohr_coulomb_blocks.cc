@@ -8,31 +8,35 @@
 
 namespace Waker
 {
+  template <bool varies>
   void
-  MohrCoulomb::find_elastic(const unsigned int n_points,
-                            const Block       &block,
-                            double (&trial)[6][block_size],
-                            bool (&is_elastic)[block_size]) const
+  MohrCoulomb::find_trial(const Block &block,
+                          double (&trial)[6][block_size],
+                          double (&half)[block_size],
+                          double (&middle)[block_size],
+                          double (&largest)[block_size]) const
   {
     // Half the difference and half the sum of the largest and the smallest
     // principal stress, and the largest. In the plane they are known; in space
     // they are at most q / sqrt(3), p + q / 6 and p + 2 q / 3, q = sqrt(3 J_2).
     const double lame = K - 2. / 3. * G, two_G = 2. * G, third = 1. / 3.,
-                 sixth      = 1. / 6.;
-    const double per_sqrt_3 = 1. / std::sqrt(3.);
-    double       half[block_size], middle[block_size], largest[block_size];
+                 sixth                 = 1. / 6.;
+    const double per_sqrt_3            = 1. / std::sqrt(3.);
     const double(*const e)[block_size] = block.strain_increment;
     const double(*const s)[block_size] = block.stress;
+    const double *const ratio =
+      varies ? block.variables[n_own_variables()] : nullptr;
 #pragma GCC ivdep
     for (unsigned int l = 0; l < block_size; ++l)
       {
-        const double add = lame * (e[0][l] + e[1][l] + e[2][l]);
-        const double xx  = s[0][l] + two_G * e[0][l] + add;
-        const double yy  = s[1][l] + two_G * e[1][l] + add;
-        const double zz  = s[2][l] + two_G * e[2][l] + add;
-        const double xy  = s[3][l] + two_G * e[3][l];
-        const double xz  = s[4][l] + two_G * e[4][l];
-        const double yz  = s[5][l] + two_G * e[5][l];
+        const double r   = varies ? ratio[l] : 1.;
+        const double add = r * lame * (e[0][l] + e[1][l] + e[2][l]);
+        const double xx  = s[0][l] + r * two_G * e[0][l] + add;
+        const double yy  = s[1][l] + r * two_G * e[1][l] + add;
+        const double zz  = s[2][l] + r * two_G * e[2][l] + add;
+        const double xy  = s[3][l] + r * two_G * e[3][l];
+        const double xz  = s[4][l] + r * two_G * e[4][l];
+        const double yz  = s[5][l] + r * two_G * e[5][l];
         const double m   = (xx + yy + zz) * third;
         const double a = xx - m, b = yy - m, c = zz - m;
         const double q = std::sqrt(
@@ -52,6 +56,20 @@ namespace Waker
         trial[4][l]           = xz;
         trial[5][l]           = yz;
       }
+  }
+
+
+  void
+  MohrCoulomb::find_elastic(const unsigned int n_points,
+                            const Block       &block,
+                            double (&trial)[6][block_size],
+                            bool (&is_elastic)[block_size]) const
+  {
+    double half[block_size], middle[block_size], largest[block_size];
+    if (stiffness_varies)
+      find_trial<true>(block, trial, half, middle, largest);
+    else
+      find_trial<false>(block, trial, half, middle, largest);
 
     // Sine and cosine cost as much as all of that; neighbours often have the
     // same strengths. Without softening the plastic strain is none of them.
@@ -84,8 +102,7 @@ namespace Waker
     double trial[6][block_size];
     bool   is_elastic[block_size];
     find_elastic(n_points, block, trial, is_elastic);
-    const unsigned int    plastic     = number_of_plastic_strain();
-    const unsigned int    n_variables = number_of_softening_strain() + 1;
+    const unsigned int    plastic = number_of_plastic_strain();
     double                variables[most_variables];
     SymmetricTensor<2, 3> strain, stress;
     for (unsigned int l = 0; l < n_points; ++l)
@@ -97,7 +114,7 @@ namespace Waker
         }
       else
         {
-          for (unsigned int v = 0; v < n_variables; ++v)
+          for (unsigned int v = 0; v < n_variables(); ++v)
             variables[v] = block.variables[v][l];
           for (unsigned int a = 0; a < 6; ++a)
             {
@@ -128,14 +145,17 @@ namespace Waker
                     block_size,
                     elastic_tangent.access_raw_entry(6 * components[a] +
                                                      components[b]));
-    const unsigned int    n_variables = number_of_softening_strain() + 1;
+    if (stiffness_varies)
+      for (unsigned int a = 0; a < n_components * n_components; ++a)
+        for (unsigned int l = 0; l < n_points; ++l)
+          tangent[a][l] *= block.variables[n_own_variables()][l];
     double                variables[most_variables];
     SymmetricTensor<2, 3> strain, stress;
     SymmetricTensor<4, 3> D;
     for (unsigned int l = 0; l < n_points; ++l)
       if (!is_elastic[l])
         {
-          for (unsigned int v = 0; v < n_variables; ++v)
+          for (unsigned int v = 0; v < n_variables(); ++v)
             variables[v] = block.variables[v][l];
           for (unsigned int a = 0; a < 6; ++a)
             {

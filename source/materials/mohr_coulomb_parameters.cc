@@ -4,7 +4,9 @@
 #include <waker/base/checks.h>
 #include <waker/base/errors.h>
 #include <waker/base/numbers.h>
+#include <waker/base/text.h>
 #include <waker/materials/mohr_coulomb.h>
+#include <waker/materials/shear_strength_table.h>
 
 #include "initial_expression.h"
 #include "mohr_coulomb_return.h"
@@ -73,6 +75,14 @@ namespace Waker
       "values, linearly. 0: no softening. It belongs to the cell "
       "size, unless there is a softening length, or nonlocal softening.",
       Patterns::Double(0.));
+    prm.add_parameter(
+      "Shear strength table",
+      strength_table,
+      "Shear strength by effective normal stress, \"0: t0, s1: t1, ...\" "
+      "(kPa), instead of cohesion and friction angle: straight lines whose "
+      "slopes fall, the last of which goes on. It follows the stress of the "
+      "moment. Empty: cohesion and friction angle.",
+      Patterns::Anything());
   }
 
 
@@ -84,10 +94,19 @@ namespace Waker
   }
 
 
+  bool
+  MohrCoulombParameters::has_table() const
+  {
+    return !tidy(strength_table).empty();
+  }
+
+
   void
   MohrCoulombParameters::check_expressions(const std::string &path,
                                            const unsigned int dim) const
   {
+    if (has_table())
+      shear_strength_entries(strength_table, path + "Shear strength table");
     check_expression(path + "Cohesion", cohesion, {}, dim);
     check_expression(path + "Friction angle",
                      friction_angle,
@@ -146,6 +165,16 @@ namespace Waker
       throw UserError(path + "Tensile strength",
                       "is " + in_digits(*tension) + " kPa",
                       "at least 0, or \"apex\"");
+    if (has_table() && softening_strain != 0.)
+      throw UserError(path + "Softening strain",
+                      "is " + in_digits(softening_strain) +
+                        ", with a Shear strength table",
+                      "0: a table does not soften");
+    if (has_table() && !psi)
+      throw UserError(path + "Dilatancy angle",
+                      "is " + in_quotes(dilatancy_angle) +
+                        ", with a Shear strength table",
+                      "a number (degrees)");
     if (!(softening_strain >= 0.))
       throw UserError(path + "Softening strain",
                       "is " + in_digits(softening_strain),
@@ -261,7 +290,21 @@ namespace Waker
     const double tensile_strength =
       plain_number(p.tensile_strength)
         .value_or(std::numeric_limits<double>::infinity());
-    return std::make_unique<MohrCoulomb>(
+    if (p.has_table())
+      {
+        auto law = std::make_unique<ShearStrengthTable>(
+          density,
+          elastic.youngs_modulus,
+          elastic.poissons_ratio,
+          lines_through(shear_strength_entries(p.strength_table,
+                                               path + "Shear strength table")),
+          plain_number(p.dilatancy_angle).value_or(0.),
+          tensile_strength);
+        if (elastic.varies)
+          law->let_stiffness_vary();
+        return law;
+      }
+    auto law = std::make_unique<MohrCoulomb>(
       density,
       elastic.youngs_modulus,
       elastic.poissons_ratio,
@@ -287,5 +330,8 @@ namespace Waker
                                    "Residual dilatancy angle")},
       p.softening_strain,
       measure);
+    if (elastic.varies)
+      law->let_stiffness_vary();
+    return law;
   }
 } // namespace Waker

@@ -9,10 +9,72 @@
 #include <waker/base/text.h>
 #include <waker/materials/factory.h>
 
+#include "initial_expression.h"
 #include <cmath>
 
 namespace Waker
 {
+  namespace
+  {
+    void
+    check_pore_fluid(const MaterialParameters &m)
+    {
+      constexpr double  largest   = 0.4999; // what steps can be solved with
+      const std::string path      = "Materials/" + m.name + "/";
+      const double      stiffness = m.pore_fluid_stiffness;
+      if (stiffness == 0.)
+        return;
+      const double of_soil =
+        m.elastic.youngs_modulus / (3. * (1. - 2. * m.elastic.poissons_ratio));
+      // Of that Poisson's ratio, undrained.
+      const double most = 2. * m.elastic.shear_modulus() * (1. + largest) /
+                            (3. * (1. - 2. * largest)) -
+                          of_soil;
+      if (!(stiffness > 0. && stiffness <= most))
+        throw UserError(path + "Pore fluid stiffness",
+                        "is " + in_digits(stiffness) + " kPa",
+                        "0; or at most " + in_digits(most) +
+                          " kPa, with which the soil has an undrained "
+                          "Poisson's ratio of " +
+                          in_digits(largest));
+      if (!m.is_drained())
+        throw UserError(path + "Pore fluid stiffness",
+                        "is " + in_digits(stiffness) + " kPa, but Model is " +
+                          name_of(m.model) + ", a law of total stress",
+                        "0, or a law of effective stress: Mohr-Coulomb");
+    }
+
+
+    /// What K0 may be an expression of, beside the place: see
+    /// Material::variables().
+    std::vector<std::string>
+    k0_symbols(const MaterialModel model)
+    {
+      switch (model)
+        {
+          case MaterialModel::linear_elastic:
+            return {};
+          case MaterialModel::von_mises_softening:
+            return {"initial_strength"};
+          case MaterialModel::mohr_coulomb:
+            return {"cohesion", "friction_angle", "dilatancy_angle"};
+        }
+      return {};
+    }
+  } // namespace
+
+
+  double
+  MaterialParameters::undrained_poissons_ratio() const
+  {
+    const double G = elastic.shear_modulus();
+    const double K =
+      elastic.youngs_modulus / (3. * (1. - 2. * elastic.poissons_ratio)) +
+      pore_fluid_stiffness;
+    return (3. * K - 2. * G) / (2. * (3. * K + G));
+  }
+
+
   void
   MaterialParameters::add_parameters(ParameterHandler &prm)
   {
@@ -43,15 +105,33 @@ namespace Waker
                       "as clay that drains above the line and not below. "
                       "Empty: it is the same below.",
                       Patterns::Anything());
-    add_choice(prm,
-               "Regularisation",
-               regularisation,
-               "What keeps softening from belonging to the cells. softening "
-               "length: plastic strain is scaled by the cell size, see there; "
-               "with a length of 0, the default, nothing does. nonlocal: the "
-               "strain that softens a point is that of its surroundings, see "
-               "Averaging length. For new work nonlocal is recommended, with "
-               "cells of at most the averaging length; the thesis has none.");
+    prm.add_parameter(
+      "K0",
+      k0,
+      "Initial stress/From = K0: horizontal over vertical effective stress (-), "
+      "at least 0, where the ground is level: a number; an expression of the "
+      "place as of Initial strength, in which Mohr-Coulomb's friction_angle "
+      "(degrees) is that at the place; elastic: nu/(1 - nu), of Poisson's "
+      "ratio; or Jaky: 1 - sin(friction_angle).",
+      ExpressionPattern());
+    add_choice(
+      prm,
+      "Regularisation",
+      regularisation,
+      "What keeps softening from belonging to the cells. softening "
+      "length: plastic strain is scaled by the cell size, see there; "
+      "with a length of 0, the default, nothing does. nonlocal: the "
+      "strain that softens a point is that of its surroundings, see "
+      "Averaging length. Recommended for whether and when soil slides; "
+      "a long slide it softens too widely. The thesis has neither.");
+    prm.add_parameter(
+      "Pore fluid stiffness",
+      pore_fluid_stiffness,
+      "Mohr-Coulomb: bulk stiffness of the water in the pores of soil that does "
+      "not drain (kPa), that of water over the porosity, at least 0: "
+      "volumetric strain makes excess pore pressure, and effective parameters "
+      "an undrained soil. It drains in the gravity step. 0: it drains.",
+      Patterns::Double(0.));
     prm.add_parameter(
       "Softening length",
       softening_length,
@@ -93,6 +173,13 @@ namespace Waker
                       "a width (m) above 0; 0: softening by the cells");
     nonlocal.check(path);
     elastic.check(path);
+    check_pore_fluid(*this);
+    const auto number = plain_number(k0);
+    if (number && !(*number >= 0. && *number <= 1e3))
+      throw UserError(path + "K0",
+                      "is " + in_digits(*number),
+                      "from 0 to 1000 (soils have 0.3 to 2), elastic or Jaky");
+    check_expression(path + "K0", k0_expression(), k0_symbols(model), dim);
     von_mises.check_expressions(path, dim); // whatever the model
     mohr_coulomb.check_expressions(path, dim);
     const double scale = softening_measure(cell_size).of_uniform_strain();
@@ -146,6 +233,23 @@ namespace Waker
           return mohr_coulomb.softening_strain > 0.;
       }
     return false;
+  }
+
+
+  std::string
+  MaterialParameters::k0_expression() const
+  {
+    const std::string text = tidy(k0);
+    if (text == "elastic")
+      return in_digits(elastic.poissons_ratio / (1. - elastic.poissons_ratio));
+    if (text != "Jaky")
+      return text;
+    if (model != MaterialModel::mohr_coulomb)
+      throw UserError("Materials/" + name + "/K0",
+                      std::string("is Jaky, but Model = ") + name_of(model) +
+                        " has no friction angle",
+                      "a number, an expression, or elastic");
+    return "1 - sin(friction_angle*pi/180)";
   }
 
 

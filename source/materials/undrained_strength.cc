@@ -38,8 +38,10 @@ namespace Waker
                "OCR^m, with OCR = (daily_vertical_stress + POP) / "
                "vertical_stress, both effective; they are the weight of the "
                "column over the place, less the pressure of the water in "
-               "the ground (Pore water). table: Strength table. The strength "
-               "stays with the soil when it moves.");
+               "the ground (Pore water). table: Strength table. depth: "
+               "Strength at top + Strength growth times the depth below the "
+               "highest soil over the place; depth in layer: below the top of "
+               "its layer. The strength stays with the soil when it moves.");
     prm.add_parameter("Strength ratio",
                       ratio,
                       "SHANSEP: S (-), above 0, the strength of normally "
@@ -64,6 +66,16 @@ namespace Waker
                       "lines between; constant below the first and above "
                       "the last.",
                       Patterns::Anything());
+    prm.add_parameter("Strength at top",
+                      at_top,
+                      "depth, depth in layer: strength at depth 0 (kPa), at "
+                      "least 0.",
+                      Patterns::Double(0.));
+    prm.add_parameter("Strength growth",
+                      growth,
+                      "depth, depth in layer: by how much the strength grows "
+                      "with depth (kPa/m), at least 0; usual is 1 to 2.",
+                      Patterns::Double(0.));
   }
 
 
@@ -72,9 +84,24 @@ namespace Waker
   {
     if (!tidy(table).empty())
       entries(path); // wherever the strength comes from
+    if (!(at_top >= 0. && std::isfinite(at_top)))
+      throw UserError(path + "Strength at top",
+                      "is " + in_digits(at_top) + " kPa",
+                      "a strength (kPa) of at least 0");
+    if (!(growth >= 0. && std::isfinite(growth)))
+      throw UserError(path + "Strength growth",
+                      "is " + in_digits(growth) + " kPa/m",
+                      "a number (kPa/m) of at least 0");
     switch (from)
       {
         case StrengthFrom::place:
+          return;
+        case StrengthFrom::depth:
+        case StrengthFrom::depth_in_layer:
+          if (!(at_top + growth > 0.))
+            throw UserError(path + "Strength at top",
+                            "is 0 kPa, and Strength growth 0 kPa/m",
+                            "one of them above 0");
           return;
         case StrengthFrom::shansep:
           if (!(exponent >= 0. && exponent <= 1.))
@@ -93,18 +120,112 @@ namespace Waker
   }
 
 
+  UndrainedStrengthParameters::Written
+  UndrainedStrengthParameters::written(const bool symbolic) const
+  {
+    if (symbolic)
+      return {"strength_ratio",
+              "(1 - strength_exponent)",
+              "strength_exponent",
+              "yield_stress",
+              "strength_at_top",
+              "strength_growth"};
+    return {exact(ratio),
+            exact(1. - exponent),
+            exact(exponent),
+            "(daily_vertical_stress + " + exact(pop) + ")",
+            exact(at_top),
+            exact(growth)};
+  }
+
+
+  std::vector<MaterialVariable>
+  UndrainedStrengthParameters::coefficients(const std::string &path) const
+  {
+    const auto one = [&](const std::string &name,
+                         const std::string &unit,
+                         const double       value,
+                         const std::string &parameter,
+                         const std::string &symbol) {
+      return MaterialVariable{name,
+                              unit,
+                              InitialValue(value, path + parameter),
+                              MaterialVariable::Role::coefficient,
+                              symbol};
+    };
+    switch (from)
+      {
+        case StrengthFrom::place:
+        case StrengthFrom::table:
+          return {};
+        case StrengthFrom::shansep:
+          return {one("strength ratio",
+                      "-",
+                      ratio,
+                      "Strength ratio",
+                      "strength_ratio"),
+                  one("strength exponent",
+                      "-",
+                      exponent,
+                      "Strength exponent",
+                      "strength_exponent"),
+                  one("POP", "kPa", pop, "POP", "pop"),
+                  {"yield stress",
+                   "kPa",
+                   InitialValue("daily_vertical_stress + pop",
+                                path + name_of_parameter()),
+                   MaterialVariable::Role::coefficient,
+                   "yield_stress"}};
+        case StrengthFrom::depth:
+        case StrengthFrom::depth_in_layer:
+          return {one("strength at top",
+                      "kPa",
+                      at_top,
+                      "Strength at top",
+                      "strength_at_top"),
+                  one("strength growth",
+                      "kPa/m",
+                      growth,
+                      "Strength growth",
+                      "strength_growth")};
+      }
+    return {};
+  }
+
+
   std::string
   UndrainedStrengthParameters::expression(const std::string &own,
                                           const std::string &path) const
+  {
+    return expression(own, path, written(false));
+  }
+
+
+  std::string
+  UndrainedStrengthParameters::symbolic_expression(
+    const std::string &own,
+    const std::string &path) const
+  {
+    return expression(own, path, written(true));
+  }
+
+
+  std::string
+  UndrainedStrengthParameters::expression(const std::string &own,
+                                          const std::string &path,
+                                          const Written     &c) const
   {
     switch (from)
       {
         case StrengthFrom::place:
           return own;
+        case StrengthFrom::depth:
+          return c.at_top + " + " + c.growth + "*depth";
+        case StrengthFrom::depth_in_layer:
+          return c.at_top + " + " + c.growth + "*depth_in_layer";
         case StrengthFrom::shansep:
-          return exact(ratio) + "*vertical_stress^" + exact(1. - exponent) +
-                 "*(daily_vertical_stress + " + exact(pop) + ")^" +
-                 exact(exponent);
+          return c.ratio + "*vertical_stress^" + c.rest + "*" + c.yield + "^" +
+                 c.exponent;
         case StrengthFrom::table:
           {
             // Of each line the part that the stress has gone.
@@ -136,16 +257,19 @@ namespace Waker
           return "Strength from";
         case StrengthFrom::table:
           return "Strength table";
+        case StrengthFrom::depth:
+        case StrengthFrom::depth_in_layer:
+          return "Strength at top";
       }
     return "";
   }
 
 
   std::string
-  UndrainedStrengthParameters::overconsolidation() const
+  UndrainedStrengthParameters::overconsolidation(const bool symbolic) const
   {
     return from == StrengthFrom::shansep
-             ? "(daily_vertical_stress + " + exact(pop) + ")/vertical_stress"
+             ? written(symbolic).yield + "/vertical_stress"
              : "";
   }
 
@@ -166,6 +290,13 @@ namespace Waker
       }
     if (from != StrengthFrom::table && !tidy(table).empty())
       names.push_back("Strength table");
+    if (from != StrengthFrom::depth && from != StrengthFrom::depth_in_layer)
+      {
+        if (at_top != usual.at_top)
+          names.push_back("Strength at top");
+        if (growth != usual.growth)
+          names.push_back("Strength growth");
+      }
     return names;
   }
 

@@ -129,19 +129,24 @@ namespace Waker
                            const std::string                 &path)
   {
     std::optional<InitialValue> overconsolidation;
-    const std::string           ratio = parameters.strength.overconsolidation();
+    const std::string ratio = parameters.strength.overconsolidation(true);
     if (!ratio.empty())
       overconsolidation = initial_value(ratio, path + "POP");
-    return std::make_unique<VonMisesSoftening>(
+    auto law = std::make_unique<VonMisesSoftening>(
       density,
       elastic.youngs_modulus,
       elastic.poissons_ratio,
-      initial_value(parameters.strength_expression(path),
+      initial_value(parameters.strength.symbolic_expression(
+                      parameters.initial_strength, path),
                     path + parameters.strength.name_of_parameter()),
       initial_value(parameters.residual_strength, path + "Residual strength"),
       parameters.softening_modulus,
       parameters.plastic_strain_invariant,
       overconsolidation,
-      measure);
+      measure,
+      parameters.strength.coefficients(path));
+    if (elastic.varies)
+      law->let_stiffness_vary();
+    return law;
   }
 } // namespace Waker

@@ -46,6 +46,7 @@ namespace Waker
     kinetic = step.kinetic_energy;
     elastic = step.elastic_energy;
     dissipation += step.dissipation;
+    friction += step.friction;
     ramp_work += step.ramp_work;
     mapping_loss += step.mapping_loss;
     gravity_work += step.gravity_work;

@@ -28,6 +28,13 @@ namespace Waker
     newton.tolerance                 = tolerance;
     newton.linear_tolerance          = 1e-6; // in 3D
     newton.maximum_linear_iterations = 5000;
+    // An elastic body on a wall that only pushes is no linear one.
+    const bool is_linear = !have_corners(resistances);
+    // Its solver lets nodes that soil hardly touches move far: their rotation
+    // is none of the body.
+    MappingParameters kinematics = mapping;
+    if (!is_linear)
+      kinematics.objective_rate = false;
     const std::unique_ptr<TimeScheme<dim>> scheme =
       make_quasi_static(SchemeInput<dim>{grid,
                                          weights,
@@ -35,11 +42,11 @@ namespace Waker
                                          fixities,
                                          time,
                                          newton,
-                                         mapping,
+                                         kinematics,
                                          /*gravity=*/0., // of works only
                                          full_node_mass,
                                          resistances,
-                                         /*is_elastic=*/true});
+                                         is_linear});
 
     // For this step, which takes no time, the points are of these materials.
     const std::vector<std::uint32_t> own_materials =

@@ -120,7 +120,9 @@ namespace Waker
     move_points(dt, nodes, points, report);
     add_works(t, dt, nodes, internal, report);
     report.reaction += reaction;
-    report.support_work += supports.mean();
+    // What friction takes from the body is no work of a support.
+    report.friction = supports.lost;
+    report.support_work += supports.mean() + supports.lost;
     // The force of the supports at the start is no part of what add_works()
     // takes for the forces there.
     report.mapping_loss += 0.5 * pushed.start - lost.mean();

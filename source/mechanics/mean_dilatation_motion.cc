@@ -157,6 +157,8 @@ namespace Waker
     this->load_gradients(range, motion);
     double D[n * n][N], turned[6][N], volume[N] = {}, share[N] = {};
     std::copy_n(&trial.stress[0][0], 6 * N, &turned[0][0]);
+    // It counts over 2 G.
+    divide_by_stiffness(material, range.size(), trial, 6, turned);
     std::fill_n(&D[0][0], n * n * N, 0.);
     material.tangent_block(range.size(), trial, n, components, D);
     std::copy_n(points.volume.data() + range.begin, range.size(), volume);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/materials/linear_elastic.h>
 #include <waker/mechanics/mixed_cells.h>
+#include <waker/mechanics/stress_update.h>
 
 #include <algorithm>
 #include <array>
@@ -144,7 +145,8 @@ namespace Waker
     // Nothing to mix, and no rounding.
     if (std::all_of(materials.begin(), materials.end(), [&](const auto &m) {
           return m->bulk_modulus() == materials[0]->bulk_modulus() &&
-                 m->shear_modulus() == materials[0]->shear_modulus();
+                 m->shear_modulus() == materials[0]->shear_modulus() &&
+                 !m->stiffness_variable();
         }))
       return mixture;
 
@@ -154,10 +156,11 @@ namespace Waker
     };
     for (std::size_t p = 0; p < points.n_points(); ++p)
       {
-        const Material &m = *materials[points.material[p]];
+        const Material &m     = *materials[points.material[p]];
+        const double    ratio = stiffness_ratio(points, materials, p);
         cells[cell_of(p)].add(points.volume[p],
-                              m.bulk_modulus(),
-                              m.shear_modulus());
+                              ratio * m.bulk_modulus(),
+                              ratio * m.shear_modulus());
       }
     for (const auto &entry : cells)
       if (const Contents &cell = entry.second; cell.is_mixed())

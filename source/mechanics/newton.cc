@@ -22,6 +22,11 @@ namespace Waker
     /// Added to that of a linear body, whose iterations take it away again.
     constexpr double elastic_shift = 1e-6;
 
+    /// Corrections of bodies whose forces have corners are halved up to so many
+    /// times where they make the residual larger, from this iteration on: the
+    /// first ones find out what touches what.
+    constexpr unsigned int most_halvings = 4, free_iterations = 4;
+
     /// More of the residual than this in motions without stiffness is no
     /// matter of hardly touched nodes.
     constexpr double unsolvable_limit = 1e-4;
@@ -264,10 +269,24 @@ namespace Waker
     reached.reinit(nodes.mass);
     R = 0.;
     NewtonReport report;
+    const bool   may_cycle = have_corners(resistances);
+    double       last = std::numeric_limits<double>::infinity(), share = 1.;
+    unsigned int n_halvings = 0;
     while (true)
       {
         set_forces(resistances, nodes);
         const double norm = residual(terms, nodes);
+        if (may_cycle && report.iterations > free_iterations &&
+            !(norm < last) && n_halvings < most_halvings)
+          {
+            share *= 0.5;
+            ++n_halvings;
+            nodes.increment.add(-share, correction);
+            continue;
+          }
+        last       = norm;
+        share      = 1.;
+        n_halvings = 0;
         report.residuals.push_back(norm);
         if (norm <= parameters.tolerance)
           {

@@ -19,7 +19,9 @@ namespace Waker
                "Newmark: implicit, beta = 1/4, gamma = 1/2 (the main "
                "scheme). explicit: an independent check with its own, "
                "stable time step. quasi-static: no inertia; the time is "
-               "that of the load.");
+               "that of the load. quasi-static at rest: long quasi-static "
+               "steps while the dyke rests, Newmark with Time step while it "
+               "moves; for water that rises or falls for hours.");
     prm.add_parameter("Time step",
                       time_step,
                       "Time step of the Newmark scheme (s), above 0. The "
@@ -67,6 +69,27 @@ namespace Waker
                       "follow their neighbours. 0: none; Newton's method may "
                       "then fail in large deformation.",
                       Patterns::Double(0., 1.));
+    prm.add_parameter("Longest step",
+                      longest_step,
+                      "Quasi-static at rest: length of a long step (s), from "
+                      "Time step to 1e6. One without balance at its end is "
+                      "halved, Maximum halvings times; then the dyke moves, in "
+                      "steps of Time step, until it has been at rest for "
+                      "Stop rules/Rest duration (longer each time that "
+                      "long steps fail again).",
+                      Patterns::Double(0.));
+    prm.add_parameter("Largest rise",
+                      largest_rise,
+                      "Quasi-static at rest: change of the level of the water "
+                      "in a long step (m), up or down, above 0, at most 10. "
+                      "The corners of a table Water/Rise end a step as well.",
+                      Patterns::Double(0.));
+    prm.add_parameter("Largest displacement",
+                      largest_displacement,
+                      "Quasi-static at rest: a step in which more than 0.1 % "
+                      "of the soil would move further than this (m) is "
+                      "no long one, as without balance; above 0, at most 10.",
+                      Patterns::Double(0.));
   }
 
 
@@ -90,6 +113,24 @@ namespace Waker
       throw UserError("Time stepping/Courant number",
                       "is " + in_digits(courant_number),
                       "above 0 and at most 1");
+    const auto check_limit = [](const std::string &name,
+                                const double       value,
+                                const double       most,
+                                const std::string &unit) {
+      if (!(value > 0. && value <= most))
+        throw UserError("Time stepping/" + name,
+                        "is " + in_digits(value) + " " + unit,
+                        "above 0 and at most " + in_digits(most) + " " + unit);
+    };
+    check_limit("Longest step", longest_step, 1e6, "s");
+    check_limit("Largest rise", largest_rise, 10., "m");
+    check_limit("Largest displacement", largest_displacement, 10., "m");
+    if (scheme_traits(*this).has_long_steps && !(longest_step >= time_step))
+      throw UserError("Time stepping/Longest step",
+                      "is " + in_digits(longest_step) +
+                        " s, shorter than Time step, " + in_digits(time_step) +
+                        " s",
+                      "at least Time step, that of a dyke that moves");
   }
 
 

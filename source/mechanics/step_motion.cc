@@ -113,13 +113,14 @@ namespace Waker
                           MaterialPoints<dim>   &points,
                           StressReport          &report) const
   {
-    const double bulk  = 0.5 / material.bulk_modulus();
-    const double shear = 0.25 / material.shear_modulus();
+    double energy[1][N];
+    material.elastic_energy(block, energy[0]);
+    divide_by_stiffness(material, range.size(), block, 1, energy);
     for (unsigned int l = 0; l < range.size(); ++l)
       {
         const std::size_t p     = range.begin + l;
         const double      V     = points.volume[p];
-        double            start = 0., end = 0., square = 0.;
+        double            start = 0., end = 0.;
         for (unsigned int i = 0; i < dim; ++i)
           for (unsigned int j = 0; j < dim; ++j)
             {
@@ -129,19 +130,11 @@ namespace Waker
               end += block.stress[a][l] * H;
             }
         for (unsigned int a = 0; a < 6; ++a)
-          {
-            const double s = block.stress[a][l];
-            square += (a < 3 ? 1. : 2.) * s * s;
-            points.stress[p].access_raw_entry(a) = s;
-          }
-        const double pressure =
-          (block.stress[0][l] + block.stress[1][l] + block.stress[2][l]) / 3.;
+          points.stress[p].access_raw_entry(a) = block.stress[a][l];
         report.work_start += V * start;
         report.work_end += V * end;
         report.dissipation += V * block.dissipation[l];
-        report.elastic_energy +=
-          V * (pressure * pressure * bulk +
-               (square - 3. * pressure * pressure) * shear);
+        report.elastic_energy += V * energy[0][l];
       }
   }
 
@@ -160,6 +153,8 @@ namespace Waker
     load_gradients(range, motion);
     double D[n * n][N], turned[6][N], volume[N] = {};
     std::copy_n(&trial.stress[0][0], 6 * N, &turned[0][0]);
+    // It counts over 2 G.
+    divide_by_stiffness(material, range.size(), trial, 6, turned);
     std::fill_n(&D[0][0], n * n * N, 0.);
     material.tangent_block(
       range.size(), trial, n, BlockMotion<dim>::components, D);

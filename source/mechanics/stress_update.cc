@@ -38,12 +38,27 @@ namespace Waker
 
   template <int dim>
   double
+  stiffness_ratio(const MaterialPoints<dim> &points,
+                  const Materials           &materials,
+                  const std::size_t          p)
+  {
+    if (!materials[points.material[p]]->stiffness_variable())
+      return 1.;
+    const int i = points.find_scalar("stiffness ratio");
+    AssertThrow(i >= 0, ExcMessage("the points lack the stiffness ratio"));
+    return points.scalars[i].values[p];
+  }
+
+
+  template <int dim>
+  double
   elastic_energy(const MaterialPoints<dim> &points, const Materials &materials)
   {
     double sum = 0.;
     for (std::size_t p = 0; p < points.n_points(); ++p)
       sum += points.volume[p] *
-             elastic_energy(points.stress[p], *materials[points.material[p]]);
+             elastic_energy(points.stress[p], *materials[points.material[p]]) /
+             stiffness_ratio(points, materials, p);
     return sum;
   }
 
@@ -293,6 +308,14 @@ namespace Waker
   declare_material_variables(const Materials &, MaterialPoints<2> &);
   template void
   declare_material_variables(const Materials &, MaterialPoints<3> &);
+  template double
+  stiffness_ratio(const MaterialPoints<2> &,
+                  const Materials &,
+                  const std::size_t);
+  template double
+  stiffness_ratio(const MaterialPoints<3> &,
+                  const Materials &,
+                  const std::size_t);
   template double
   elastic_energy(const MaterialPoints<2> &, const Materials &);
   template double

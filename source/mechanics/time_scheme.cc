@@ -21,6 +21,7 @@ namespace Waker
     switch (input.time.scheme)
       {
         case Scheme::newmark:
+        case Scheme::static_at_rest:
           return make_newmark(input);
         case Scheme::explicit_steps:
           return make_explicit(input);
@@ -50,6 +51,11 @@ namespace Waker
         case Scheme::quasi_static:
           traits.has_inertia = false;
           traits.is_implicit = true;
+          break;
+        case Scheme::static_at_rest:
+          traits.has_inertia    = true;
+          traits.is_implicit    = true;
+          traits.has_long_steps = true;
           break;
       }
     traits.moves_points = traits.has_inertia || time.move_points;
@@ -118,6 +124,7 @@ namespace Waker
       {"kinetic energy", kinetic_energy},
       {"elastic energy", elastic_energy},
       {"dissipation", dissipation},
+      {"friction", friction},
       {"work of the weight", gravity_work},
       {"work of the loads", load_work},
       {"work of the supports", support_work},
@@ -141,14 +148,24 @@ namespace Waker
   }
 
 
+  namespace
+  {
+    /// Of a wave of compression (kPa), with the water in the pores.
+    double
+    constrained_modulus(const Material &material)
+    {
+      return material.bulk_modulus() + material.pore_fluid_stiffness() +
+             4. / 3. * material.shear_modulus();
+    }
+  } // namespace
+
+
   double
   wave_speed(const Materials &materials)
   {
     double fastest = 0.;
     for (const auto &m : materials)
-      fastest = std::max(fastest,
-                         (m->bulk_modulus() + 4. / 3. * m->shear_modulus()) /
-                           m->density());
+      fastest = std::max(fastest, constrained_modulus(*m) / m->density());
     return std::sqrt(fastest);
   }
 
@@ -158,8 +175,7 @@ namespace Waker
   {
     double stiffest = 0.;
     for (const auto &m : materials)
-      stiffest =
-        std::max(stiffest, m->bulk_modulus() + 4. / 3. * m->shear_modulus());
+      stiffest = std::max(stiffest, constrained_modulus(*m));
     return stiffest;
   }
 

@@ -46,6 +46,7 @@ namespace Waker
                     const double                       full_node_mass)
     : grid(&grid)
     , full_node_mass(full_node_mass)
+    , wall_gaps(grid)
   {
     const double h = grid.cell_size();
     for (const WallParameters &p : parameters)
@@ -58,18 +59,21 @@ namespace Waker
               throw UserError(path,
                               "the wall leaves the grid",
                               "corners inside the grid and its margin");
+            if (p.type == WallType::frictional)
+              one_sided.push_back(spots.size());
             spots.push_back({static_cast<unsigned int>(walls.size()),
                              spot.x,
                              spot.x,
                              spot.normal,
                              spot.area,
-                             false});
+                             false,
+                             0.});
           }
         wall_names.push_back(p.name);
-        walls.push_back({p.type == WallType::smooth,
-                         p.penalty_factor * modulus / h,
-                         read_motion<dim>(p, h),
-                         Tensor<1, dim>()});
+        walls.push_back(
+          {{p.type, p.penalty_factor * modulus / h, p.friction(), p.adhesion},
+           read_motion<dim>(p, h),
+           Tensor<1, dim>()});
       }
   }
 
@@ -138,9 +142,9 @@ namespace Waker
 
   template <int dim>
   Tensor<1, dim>
-  Walls<dim>::held(const Spot &spot, const Tensor<1, dim> &u) const
+  Walls<dim>::motion(const Contact &contact, const NodalVector &increment) const
   {
-    return walls[spot.wall].smooth ? (spot.normal * u) * spot.normal : u;
+    return value(contact, increment) - walls[spots[contact.spot].wall].target;
   }
 
 
@@ -149,10 +153,7 @@ namespace Waker
   Walls<dim>::traction(const Contact     &contact,
                        const NodalVector &increment) const
   {
-    const Spot &spot = spots[contact.spot];
-    const Wall &wall = walls[spot.wall];
-    return contact.traction -
-           wall.stiffness * held(spot, value(contact, increment) - wall.target);
+    return law(contact).traction(contact.start, motion(contact, increment));
   }
 
 
@@ -173,8 +174,13 @@ namespace Waker
   void
   Walls<dim>::add_force(const NodalVector &increment, NodalVector &internal)
   {
-    for (const Contact &contact : contacts)
-      scatter(contact, traction(contact, increment), internal);
+    for (Contact &contact : contacts)
+      {
+        contact.motion = motion(contact, increment);
+        scatter(contact,
+                law(contact).traction(contact.start, contact.motion),
+                internal);
+      }
   }
 
 
@@ -183,7 +189,39 @@ namespace Waker
   Walls<dim>::add_start_force(NodalVector &internal)
   {
     for (const Contact &contact : contacts)
-      scatter(contact, contact.traction, internal);
+      scatter(contact, contact.start.traction, internal);
+  }
+
+
+  template <int dim>
+  void
+  Walls<dim>::linearise()
+  {
+    if (!has_corners())
+      return;
+    slides = false;
+    for (Contact &contact : contacts)
+      {
+        contact.derivative =
+          law(contact).derivative(contact.start, contact.motion);
+        slides = slides || law(contact).slides(contact.start, contact.motion);
+      }
+  }
+
+
+  template <int dim>
+  bool
+  Walls<dim>::has_corners() const
+  {
+    return !one_sided.empty();
+  }
+
+
+  template <int dim>
+  bool
+  Walls<dim>::is_symmetric() const
+  {
+    return !slides;
   }
 
 
@@ -193,9 +231,8 @@ namespace Waker
   {
     for (const Contact &contact : contacts)
       {
-        const Spot          &spot = spots[contact.spot];
-        const Tensor<1, dim> f    = walls[spot.wall].stiffness * spot.area *
-                                 held(spot, value(contact, src));
+        const Tensor<1, dim> f =
+          spots[contact.spot].area * (contact.derivative * value(contact, src));
         for (std::size_t k = contact.begin; k < contact.end; ++k)
           for (unsigned int c = 0; c < dim; ++c)
             dst.begin()[dim * nodes[k] + c] += weights[k] * f[c];
@@ -209,21 +246,15 @@ namespace Waker
   {
     // A node may be there twice, with two weights.
     for (const Contact &contact : contacts)
-      {
-        const Spot &spot = spots[contact.spot];
-        for (unsigned int c = 0; c < dim; ++c)
-          {
-            Tensor<1, dim> e;
-            e[c] = 1.;
-            const double k =
-              walls[spot.wall].stiffness * spot.area * held(spot, e)[c];
-            for (std::size_t i = contact.begin; i < contact.end; ++i)
-              for (std::size_t j = contact.begin; j < contact.end; ++j)
-                if (nodes[i] == nodes[j])
-                  diagonal.begin()[dim * nodes[i] + c] +=
-                    weights[i] * weights[j] * k;
-          }
-      }
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          const double k = spots[contact.spot].area * contact.derivative[c][c];
+          for (std::size_t i = contact.begin; i < contact.end; ++i)
+            for (std::size_t j = contact.begin; j < contact.end; ++j)
+              if (nodes[i] == nodes[j])
+                diagonal.begin()[dim * nodes[i] + c] +=
+                  weights[i] * weights[j] * k;
+        }
   }
 
 
@@ -234,10 +265,12 @@ namespace Waker
     ResistanceWork sum;
     for (const Contact &contact : contacts)
       {
-        const Tensor<1, dim> du =
-          spots[contact.spot].area * value(contact, increment);
-        sum.start += contact.traction * du;
+        const double         area = spots[contact.spot].area;
+        const Tensor<1, dim> du   = area * value(contact, increment);
+        sum.start += contact.start.traction * du;
         sum.end += traction(contact, increment) * du;
+        sum.lost += area * law(contact).dissipation(contact.start,
+                                                    motion(contact, increment));
       }
     return sum;
   }

@@ -1,45 +1,142 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/errors.h>
 #include <waker/nodes/wall.h>
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+#include <utility>
 
 namespace Waker
 {
   template <int dim>
   void
-  Walls<dim>::reinit(const std::vector<double> &node_mass,
+  Walls<dim>::reinit(const MaterialPoints<dim> &points,
+                     const std::vector<double> &node_mass,
                      const double               t,
                      Tractions                 &tractions)
   {
     AssertDimension(tractions.size(), spots.size());
     carried = &tractions;
+    slides  = false;
     contacts.clear();
     nodes.clear();
     weights.clear();
     for (Wall &wall : walls)
       wall.target = displacement(wall, t); // of the whole wall, here
-    for (std::size_t q = 0; q < spots.size(); ++q)
-      {
-        Spot &spot       = spots[q];
-        spot.position    = spot.reference + walls[spot.wall].target;
-        const auto begin = nodes.size();
-        spot.touches     = find_nodes(spot, node_mass);
-        if (spot.touches)
-          contacts.push_back({q, begin, nodes.size(), tractions[q]});
-        else
-          tractions[q] = Tensor<1, dim>();
-      }
+    for (Spot &spot : spots)
+      spot.position = spot.reference + walls[spot.wall].target;
     for (Wall &wall : walls)
       wall.target = Tensor<1, dim>();
+    find_gaps(points);
+    for (std::size_t q = 0; q < spots.size(); ++q)
+      {
+        Spot      &spot  = spots[q];
+        const auto begin = nodes.size();
+        if (!find_nodes(spot, node_mass, tractions[q]))
+          {
+            spot.touches = false;
+            tractions[q] = Tensor<1, dim>();
+            continue;
+          }
+        const bool carries = tractions[q] * spot.normal > 0.;
+        spot.touches       = carries || spot.gap <= 0.;
+        Contact contact{q,
+                        begin,
+                        nodes.size(),
+                        {spot.normal,
+                         tractions[q],
+                         carries ? 0. : std::max(0., spot.gap)},
+                        Tensor<1, dim>(),
+                        Tensor<2, dim>()};
+        contact.derivative =
+          walls[spot.wall].law.derivative(contact.start, Tensor<1, dim>());
+        contacts.push_back(contact);
+      }
+  }
+
+
+  template <int dim>
+  void
+  Walls<dim>::find_gaps(const MaterialPoints<dim> &points)
+  {
+    if (one_sided.empty())
+      return;
+    std::vector<Point<dim>>     positions;
+    std::vector<Tensor<1, dim>> normals;
+    for (const std::size_t q : one_sided)
+      {
+        positions.push_back(spots[q].position);
+        normals.push_back(spots[q].normal);
+      }
+    wall_gaps.set_places(std::move(positions), std::move(normals));
+    wall_gaps.find(points, gaps);
+    for (std::size_t k = 0; k < one_sided.size(); ++k)
+      spots[one_sided[k]].gap = gaps[k];
+  }
+
+
+  template <int dim>
+  void
+  Walls<dim>::check_start() const
+  {
+    // Cut sub-cells reach through by a tenth of a domain.
+    const double deepest = -0.2 * grid->cell_size();
+    for (const std::size_t q : one_sided)
+      if (spots[q].gap < deepest)
+        {
+          std::ostringstream problem;
+          problem << "the wall has soil behind it, " << -spots[q].gap
+                  << " m at (";
+          for (unsigned int d = 0; d < dim; ++d)
+            problem << (d == 0 ? "" : ", ") << spots[q].position[d];
+          problem << ") m";
+          throw UserError("Walls/" + wall_names[spots[q].wall] + "/Line",
+                          problem.str(),
+                          "a frictional wall with all soil near it on its "
+                          "left, or in space on the side from which its "
+                          "corners run anticlockwise");
+        }
+  }
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  Walls<dim>::idle() const
+  {
+    std::vector<unsigned char> is_touched(walls.size(), 0);
+    for (const Spot &spot : spots)
+      if (spot.touches)
+        is_touched[spot.wall] = 1;
+    std::vector<unsigned int> result;
+    for (unsigned int w = 0; w < walls.size(); ++w)
+      if (!is_touched[w])
+        result.push_back(w);
+    return result;
   }
 
 
   template <int dim>
   bool
-  Walls<dim>::find_nodes(const Spot &spot, const std::vector<double> &node_mass)
+  Walls<dim>::has_soil(const Spot           &spot,
+                       const double          share,
+                       const Tensor<1, dim> &traction) const
   {
-    constexpr unsigned int n_corners = 1 << dim;
+    if (walls[spot.wall].law.type != WallType::frictional)
+      return share >= contact_share;
+    const bool carries = traction * spot.normal > 0.;
+    return spot.gap < (carries ? lost : reach) * grid->cell_size();
+  }
+
+
+  template <int dim>
+  bool
+  Walls<dim>::find_nodes(const Spot                &spot,
+                         const std::vector<double> &node_mass,
+                         const Tensor<1, dim>      &traction)
+  {
+    constexpr unsigned int n_corners       = 1 << dim;
+    constexpr double       smallest_weight = 1e-14; // round-off
     if (!grid->contains(spot.position))
       return false;
     auto   cell = grid->cell_index(spot.position);
@@ -68,10 +165,11 @@ namespace Waker
         share +=
           N[c] * std::min(1., node_mass[corner_node[c]] / full_node_mass);
       }
-    if (!(share >= contact_share))
+    if (!has_soil(spot, share, traction))
       return false;
+    const std::size_t begin = nodes.size();
     for (unsigned int c = 0; c < n_corners; ++c)
-      if (N[c] != 0.)
+      if (N[c] > smallest_weight)
         {
           if (node_mass[corner_node[c]] >= weak_share * full_node_mass)
             {
@@ -80,6 +178,16 @@ namespace Waker
             }
           else
             hand_inwards(corner_node[c], c, N[c], spot, node_mass);
+        }
+    if (walls[spot.wall].law.type != WallType::frictional)
+      return true;
+    // Soil that is further off may have no nodes here yet.
+    for (std::size_t k = begin; k < nodes.size(); ++k)
+      if (node_mass[nodes[k]] < weak_share * full_node_mass)
+        {
+          nodes.resize(begin);
+          weights.resize(begin);
+          return false;
         }
     return true;
   }
@@ -143,8 +251,23 @@ namespace Waker
   }
 
 
+  // The class is instantiated in wall.cc, of which these are a part.
   template void
-  Walls<2>::reinit(const std::vector<double> &, const double, Tractions &);
+  Walls<2>::reinit(const MaterialPoints<2> &,
+                   const std::vector<double> &,
+                   const double,
+                   Tractions &);
   template void
-  Walls<3>::reinit(const std::vector<double> &, const double, Tractions &);
+  Walls<3>::reinit(const MaterialPoints<3> &,
+                   const std::vector<double> &,
+                   const double,
+                   Tractions &);
+  template void
+  Walls<2>::check_start() const;
+  template void
+  Walls<3>::check_start() const;
+  template std::vector<unsigned int>
+  Walls<2>::idle() const;
+  template std::vector<unsigned int>
+  Walls<3>::idle() const;
 } // namespace Waker

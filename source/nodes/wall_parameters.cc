@@ -1,14 +1,32 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/numbers.h>
 #include <deal.II/base/parameter_handler.h>
 
 #include <waker/base/checks.h>
 #include <waker/base/choice_parameter.h>
 #include <waker/base/errors.h>
+#include <waker/base/numbers.h>
 #include <waker/base/text.h>
 #include <waker/nodes/wall_parameters.h>
 
+#include <cmath>
+
 namespace Waker
 {
+  namespace
+  {
+    void
+    require(const bool         is_good,
+            const std::string &path,
+            const double       value,
+            const std::string &allowed)
+    {
+      if (!is_good)
+        throw UserError(path, "is " + in_digits(value), allowed);
+    }
+  } // namespace
+
+
   void
   WallParameters::add_parameters(ParameterHandler &prm)
   {
@@ -22,7 +40,10 @@ namespace Waker
                "Type",
                type,
                "rough: the soil sticks to the wall. smooth: it slides "
-               "along it. Both hold: they pull as well as push.");
+               "along it. Both hold: they pull as well as push. frictional: "
+               "it pushes only. The soil may leave it and touch it again, and "
+               "slides where the shear traction reaches friction and "
+               "adhesion.");
     prm.add_parameter("Displacement",
                       displacement,
                       "Displacement of the wall since the start (m): per "
@@ -34,6 +55,29 @@ namespace Waker
                       "Stiffness between soil and wall, as a multiple of "
                       "(K + 4G/3) / h, above 0.",
                       Patterns::Double(0.));
+    prm.add_parameter("Friction coefficient",
+                      friction_coefficient,
+                      "Frictional walls: shear traction over pressure where "
+                      "the soil slides, 0 or more.",
+                      Patterns::Double(0.));
+    prm.add_parameter("Friction angle",
+                      friction_angle,
+                      "The same as an angle (degrees), below 90. Not both.",
+                      Patterns::Double(0.));
+    prm.add_parameter("Adhesion",
+                      adhesion,
+                      "Frictional walls: shear traction (kPa), beside that of "
+                      "friction, that soil which touches the wall must reach "
+                      "to slide; for clay without drainage. It does not pull.",
+                      Patterns::Double(0.));
+  }
+
+
+  double
+  WallParameters::friction() const
+  {
+    return friction_angle > 0. ? std::tan(friction_angle * numbers::PI / 180.)
+                               : friction_coefficient;
   }
 
 
@@ -48,5 +92,24 @@ namespace Waker
                       std::to_string(dim) +
                         ", separated by semicolons, or nothing");
     require_positive(path + "Penalty factor", penalty_factor);
+    const std::string allowed = "a number from 0 on";
+    require(friction_coefficient >= 0. && friction_coefficient < 1e6,
+            path + "Friction coefficient",
+            friction_coefficient,
+            allowed);
+    require(friction_angle >= 0. && friction_angle < 90.,
+            path + "Friction angle",
+            friction_angle,
+            "an angle from 0 to below 90 degrees");
+    require(adhesion >= 0. && adhesion < 1e9,
+            path + "Adhesion",
+            adhesion,
+            allowed);
+    if (friction_coefficient > 0. && friction_angle > 0.)
+      throw UserError(path + "Friction angle",
+                      "is " + in_digits(friction_angle) +
+                        " degrees, but Friction coefficient is " +
+                        in_digits(friction_coefficient),
+                      "one of them, the other 0");
   }
 } // namespace Waker

@@ -130,7 +130,8 @@ namespace Waker
     };
 
 
-    /// Forces of the walls off the grid on the soil; no columns without walls.
+    /// Forces of the walls off the grid on the soil, and what sliding along
+    /// them takes; no columns without walls.
     template <int dim>
     class WallObserver : public Observer<dim>
     {
@@ -146,6 +147,8 @@ namespace Waker
             for (unsigned int d = 0; d < dim; ++d)
               row.add("Wall " + names[w] + " " + axis[d] + " (kN)", force[d]);
           }
+        if (view.scene.walls.have_friction())
+          row.add("Friction on walls (kJ)", view.state.energy.friction);
       }
     };
 

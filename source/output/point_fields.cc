@@ -3,10 +3,25 @@
 
 #include <waker/particles/material_points.h>
 
+#include <array>
 #include <cmath>
 
 namespace Waker
 {
+  namespace
+  {
+    /// Numbers of the scalars whose product is the yield stress: it goes with
+    /// the soil, and with the random fields of what decides on it.
+    template <int dim>
+    std::array<int, 2>
+    yield_stress_factors(const MaterialPoints<dim> &points)
+    {
+      return {{points.find_scalar("initial vertical stress"),
+               points.find_scalar("overconsolidation ratio")}};
+    }
+  } // namespace
+
+
   template <int dim>
   void
   add_point_fields(VtuFile                   &file,
@@ -30,6 +45,9 @@ namespace Waker
       file.add_scalar(name, "kPa");
     for (const NamedArray &scalar : points.scalars)
       file.add_scalar(scalar.name, "");
+    const auto [stress, ratio] = yield_stress_factors(points);
+    if (stress >= 0 && ratio >= 0)
+      file.add_scalar("yield stress", "kPa");
     for (const PointVector<dim> &vector : vectors)
       {
         AssertDimension(vector.values->size(), points.n_points());
@@ -64,6 +82,10 @@ namespace Waker
 
     for (const NamedArray &scalar : points.scalars)
       file.add_value(scalar.values[p]);
+    const auto [v, ratio] = yield_stress_factors(points);
+    if (v >= 0 && ratio >= 0)
+      file.add_value(points.scalars[v].values[p] *
+                     points.scalars[ratio].values[p]);
     for (const PointVector<dim> &vector : vectors)
       file.add_value((*vector.values)[p]);
   }

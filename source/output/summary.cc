@@ -199,6 +199,9 @@ namespace Waker
       f("residual_width_z", s.residual_width_z);
       f("residual_height_z", s.residual_height_z);
       f("loads", s.loads);
+      f("long_steps", s.long_steps);
+      f("time_at_rest", s.time_at_rest);
+      f("motions", s.motions);
     }
 
 

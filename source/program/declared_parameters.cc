@@ -104,6 +104,8 @@ namespace Waker
     {"Materials", "Names", &ParameterNames::materials},
     {"Soil profile", "Layers", &ParameterNames::layers},
     {"Boundary conditions", "Names", &ParameterNames::conditions},
+    {"Head lines", "Names", &ParameterNames::head_lines},
+    {"Reference lines", "Names", &ParameterNames::reference_lines},
     {"Tractions", "Names", &ParameterNames::tractions},
     {"Point loads", "Names", &ParameterNames::point_loads},
     {"Load programmes", "Names", &ParameterNames::load_programmes},
@@ -173,9 +175,9 @@ namespace Waker
                   names.conditions,
                   parameters.fixities);
     declare_section(prm, "Gravity", parameters.gravity);
+    declare_section(prm, "Initial stress", parameters.initial_stress);
     declare_section(prm, "Water", parameters.water);
     declare_section(prm, "Pore water", parameters.pore_water);
-    declare_section(prm, "Surface", parameters.surface);
     const auto named = [&](const std::string              &section,
                            const std::string              &what,
                            const std::vector<std::string> &of_section,
@@ -188,6 +190,15 @@ namespace Waker
                     of_section,
                     structs);
     };
+    named("Head lines",
+          "head lines",
+          names.head_lines,
+          parameters.pore_water.head_lines);
+    named("Reference lines",
+          "reference lines",
+          names.reference_lines,
+          parameters.pore_water.reference_lines);
+    declare_section(prm, "Surface", parameters.surface);
     named("Tractions", "tractions", names.tractions, parameters.tractions);
     named("Point loads",
           "point loads",

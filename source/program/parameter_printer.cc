@@ -123,11 +123,12 @@ namespace Waker
   void
   print_parameters(std::ostream &output, const ParameterFormat format)
   {
-    Input                          input;
-    ParameterHandler               prm;
-    const std::vector<std::string> name = {"<name>"};
-    declare_parameters(
-      prm, input, {name, name, name, name, name, name, name, name, name, name});
+    Input            input;
+    ParameterHandler prm;
+    ParameterNames   names;
+    for (const NamedSection &named : named_sections)
+      names.*named.names = {"<name>"};
+    declare_parameters(prm, input, names);
 
     const auto style = ParameterHandler::KeepDeclarationOrder;
     switch (format)

@@ -172,6 +172,7 @@ namespace Waker
 
       try
         {
+          input->prepare_materials();
           input->check();
           take_cross_section(input->simulation);
           input->simulation.hash = hash_of_steps(values, files);

@@ -7,6 +7,7 @@
 #include <waker/simulation/describe.h>
 #include <waker/simulation/plausibility.h>
 
+#include "stress_lines.h"
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -161,10 +162,11 @@ namespace Waker
     const char *const scheme = name_of(p.time.scheme);
     if (const auto cfl = chosen_courant_number(p.time, the_case.materials, h))
       say(log,
-          "  time      %s, dt = %g s: %.2g times the wave CFL "
+          "  time      %s, dt = %g s%s: %.2g times the wave CFL "
           "(c_p = %.3g m/s)",
           scheme,
           dt,
+          scheme_traits(p.time).has_long_steps ? " in motion" : "",
           *cfl,
           c);
     else if (!scheme_traits(p.time).has_inertia)
@@ -221,13 +223,18 @@ namespace Waker
            p.time.end_time);
     else if (the_case.last_load_change > 0.)
       say(log, "  loads     change until t = %g s", the_case.last_load_change);
-    if (!the_case.gravity_report.residuals.empty())
+    if (p.initial_stress.is_gravity_step() &&
+        !the_case.gravity_report.residuals.empty())
       say(log,
           "  gravity   in-situ stress after %zu solve(s), residual %.1e",
           the_case.gravity_report.residuals.size() - 1,
           the_case.gravity_report.residuals.back());
+    for (const std::string &line : stress_lines(the_case))
+      log.line(line);
     const RunSizes sizes = run_sizes(the_case);
-    log.line("  effort    up to " + count_text(sizes.steps) + " steps: about " +
+    log.line(std::string("  effort    ") +
+             (scheme_traits(p.time).has_long_steps ? "at least " : "up to ") +
+             count_text(sizes.steps) + " steps: about " +
              rough_duration_text(sizes.computing) +
              " of computing, several times that where soil flows, " +
              bytes_text(sizes.memory) + " of memory, " +
@@ -318,6 +325,15 @@ namespace Waker
     say(log, "  %s, t = %.3f s", geometry_text(f).c_str(), state.time);
     for (std::size_t i = 0; i < state.loads.size(); ++i)
       log.line("  load " + load_text(state.loads[i], load_names[i]));
+    const LongSteps &long_steps = state.long_steps;
+    if (long_steps.n + long_steps.motions > 0)
+      say(log,
+          "  at rest in %llu long steps of %.6g s together, moved %llu time(s) "
+          "for %.6g s",
+          static_cast<unsigned long long>(long_steps.n),
+          long_steps.time,
+          static_cast<unsigned long long>(long_steps.motions),
+          state.time - long_steps.time);
     say(log,
         "  %llu steps, %llu Newton iterations, %llu unconverged, %.2f s%s",
         static_cast<unsigned long long>(state.step),

@@ -8,6 +8,8 @@
 
 #include "plausible_ranges.h"
 #include "prismatic_warnings.h"
+#include "strange_pore_water.h"
+#include "wall_warnings.h"
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -230,7 +232,9 @@ namespace Waker
     Ranges                   ranges(warnings);
     check_strengths_of_points(the_case, ranges);
     check_line(the_case, warnings);
+    warn_of_soil_in_water(the_case, warnings);
     check_loads(the_case, warnings);
+    warn_of_walls(the_case, warnings);
     const double cells =
       chosen_courant_number(p.time, the_case.materials, h).value_or(0.);
     if (cells > 20.)

@@ -11,6 +11,17 @@ namespace Waker
   {
     /// Between two looks at how the points are dealt out to the ranks.
     constexpr unsigned int steps_between_balances = 20;
+
+
+    /// The last change of what load programmes drive, also of the water in the
+    /// ground that follows (s).
+    template <int dim>
+    double
+    programmes_change_until(const Case<dim> &the_case, const State<dim> &state)
+    {
+      return the_case.programmes.last_change(state.loads) +
+             the_case.pore_water.time_to_settle();
+    }
   } // namespace
 
 
@@ -23,7 +34,7 @@ namespace Waker
     , carried(the_case)
     , control(the_case.parameters.time, state)
   {
-    make_scheme();
+    make_schemes();
     const SlidingMassParameters &sliding = the_case.parameters.sliding;
     if (sliding.watch)
       slides.emplace(the_case.initial_points,
@@ -36,19 +47,20 @@ namespace Waker
 
   template <int dim>
   void
-  Realisation<dim>::make_scheme()
+  Realisation<dim>::make_schemes()
   {
-    scheme = make_time_scheme(
-      SchemeInput<dim>{part ? *part->grid : the_case->grid,
-                       part ? *part->weights : scene.weights,
-                       the_case->materials,
-                       part ? *part->fixities : the_case->fixities,
-                       the_case->parameters.time,
-                       the_case->parameters.newton,
-                       the_case->parameters.mapping,
-                       the_case->parameters.gravity.acceleration,
-                       the_case->full_node_mass,
-                       scene.resistances()});
+    const SchemeInput<dim> input{part ? *part->grid : the_case->grid,
+                                 part ? *part->weights : scene.weights,
+                                 the_case->materials,
+                                 part ? *part->fixities : the_case->fixities,
+                                 the_case->parameters.time,
+                                 the_case->parameters.newton,
+                                 the_case->parameters.mapping,
+                                 the_case->parameters.gravity.acceleration,
+                                 the_case->full_node_mass,
+                                 scene.resistances()};
+    scheme_in_motion = make_time_scheme(input);
+    scheme_at_rest   = make_scheme_at_rest(input);
   }
 
 
@@ -57,7 +69,7 @@ namespace Waker
   Realisation<dim>::look()
   {
     if (part && state->step % steps_between_balances == 0 && part->balance())
-      make_scheme();
+      make_schemes();
     scene.map(state->points);      // to the nodes: 2.31, 2.32
     scene.find_surfaces(*state);   // 3.8-3.14, as far as they are asked for
     scene.set_loads(*state);       // weight, water, tractions: 2.27, 3.4
@@ -81,26 +93,35 @@ namespace Waker
   void
   Realisation<dim>::advance()
   {
-    const double         t      = state->time;
-    NodalState          &nodes  = scene.step_nodes();
-    MaterialPoints<dim> &points = own_points();
+    const double          t      = state->time;
+    NodalState           &nodes  = scene.step_nodes();
+    MaterialPoints<dim>  &points = own_points();
+    const StopParameters &stop   = the_case->parameters.stop;
+    if (is_at_rest(stop, state->rest, t))
+      control.try_long_steps(stop.rest_duration);
     scene.begin_step();
     settlements.begin(points);
     const double dt =
-      control.solve(scheme->time_step(points), [&](const double tried) {
-        scene.set_end_loads(*state, t + tried); // weight, water, loads
-        // 2.23 with 2.28, or 2.34
-        return report = scheme->solve(points, t, tried, nodes);
-      });
+      control.solve([&]() { return wanted_step(); },
+                    [&](const double tried) {
+                      scene.set_end_loads(*state,
+                                          t + tried); // weight, water, loads
+                      // 2.23 with 2.28, or 2.34
+                      return report =
+                               scheme().solve(points, t, tried, nodes);
+                    });
     // Stress and motion: 2.33, 2.38-2.40, or 2.35-2.37
-    scheme->to_points(t, dt, nodes, points, report);
-    report.held_domains    = carried.move(nodes, points, *state);
+    scheme().to_points(t, dt, nodes, points, report);
+    report.held_domains    = carried.move(nodes, points, *state); // domains, surfaces
     state->settlement_rate = settlements.largest(points) / dt;
     if (part)
       end_step_on_ranks();
     report.check_finite(t + dt);
     state->energy += report;
-    control.accept(dt, report);                         // time goes on
+    control.accept(dt, report); // time goes on
+    the_case->pore_water.follow(scene.water_level(state->time),
+                                dt,
+                                state->pore_water);
     the_case->flow.exchange(nodes, report, dt, *state); // inflow, outflow
     the_case->programmes.proceed(*state);               // loads go on: 6.2.1
   }
@@ -167,24 +188,28 @@ namespace Waker
   {
     const Parameters &parameters = the_case->parameters;
     // Load steps are in balance, each as it is: they need no time to rest.
-    const bool   is_static = !scheme_traits(parameters.time).has_inertia;
-    const double time      = state->time;
+    const bool is_static =
+      !scheme_traits(parameters.time).has_inertia || state->long_steps.last;
+    const double time = state->time;
     const double since =
       is_static ? time : std::max(0., time - parameters.stop.rest_duration);
 
     Unrest unrest;
     unrest.moving =
       !is_static && !is_at_rest(parameters.stop, state->rest, time);
+    // The water in the ground still follows what the water outside did then.
+    const double seen =
+      std::max(0., since - the_case->pore_water.time_to_settle());
     // Of an expression only what it has done is known, of the others also what
     // they will do. Round-off in the sum of the steps changes no load.
     unrest.loads_change =
       the_case->last_load_change == LastChange::unknown
         ? scene.last_load_change(LastChange::never) > since * (1. + 1e-9) ||
-            !scene.varying_load(since, time).empty()
+            !scene.varying_load(seen, time).empty()
         : the_case->last_load_change > since * (1. + 1e-9);
     unrest.loads_change =
       unrest.loads_change ||
-      the_case->programmes.last_change(state->loads) > since * (1. + 1e-9);
+      programmes_change_until(*the_case, *state) > since * (1. + 1e-9);
     unrest.at_box = soil_lies_against_side(the_case->grid,
                                            state->points,
                                            the_case->flow.openings());
@@ -197,7 +222,22 @@ namespace Waker
   Realisation<dim>::last_load_change() const
   {
     return std::max(the_case->last_load_change,
-                    the_case->programmes.last_change(state->loads));
+                    programmes_change_until(*the_case, *state));
+  }
+
+
+  template <int dim>
+  double
+  Realisation<dim>::wanted_step() const
+  {
+    const double          step = scheme().time_step(state->points);
+    const TimeParameters &time = the_case->parameters.time;
+    return control.is_long()
+             ? scene.water.level().longest_step(state->time,
+                                                step,
+                                                time.largest_rise,
+                                                time.time_step)
+             : step;
   }
 
 
@@ -205,7 +245,7 @@ namespace Waker
   double
   Realisation<dim>::next_time_step() const
   {
-    return control.next(scheme->time_step(state->points));
+    return control.next(wanted_step());
   }
 
 

@@ -272,6 +272,12 @@ namespace Waker
     summary.newton_iterations = state.newton_iterations;
     summary.linear_iterations = state.linear_iterations;
     summary.unconverged_steps = state.unconverged_steps;
+    if (state.long_steps.n + state.long_steps.motions > 0)
+      {
+        summary.long_steps   = state.long_steps.n;
+        summary.time_at_rest = state.long_steps.time;
+        summary.motions      = state.long_steps.motions;
+      }
     if (has_case)
       summary.particles = state.points.n_points();
     for (const TractionRecord &traction : state.tractions)

@@ -161,6 +161,7 @@ namespace Waker
     , loads(state.loads)
     , is_new(!resumed)
     , unconverged(state.unconverged_steps)
+    , long_steps(state.long_steps)
   {}
 
 
@@ -207,6 +208,13 @@ namespace Waker
                  std::to_string(realisation.view().report.held_domains) +
                  " points)");
       }
+    if (state.long_steps.motions > long_steps.motions)
+      log.line("t = " + std::to_string(state.time - state.last_dt) +
+               " s: no balance nearby, from now on it moves");
+    if (state.long_steps.last && !long_steps.last && long_steps.motions > 0)
+      log.line("t = " + std::to_string(state.time - state.last_dt) +
+               " s: at rest, long steps");
+    long_steps = state.long_steps;
     if (state.unconverged_steps > unconverged)
       {
         log.line(

@@ -49,6 +49,7 @@ namespace Waker
     bool          is_new;       // this moment is not in the files yet
     bool          held = false; // domains, at the size of a cell
     std::uint64_t unconverged;
+    LongSteps     long_steps;
   };
 } // namespace Waker
 

@@ -8,8 +8,11 @@
 #include <waker/simulation/plausibility.h>
 
 #include "plausible_ranges.h"
+#include "storm_warnings.h"
+#include "strange_pore_water.h"
 #include "strange_softening.h"
 #include "unused_parameters.h"
+#include "wall_warnings.h"
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -62,7 +65,9 @@ namespace Waker
       const bool is_drained =
         std::any_of(p.materials.begin(),
                     p.materials.end(),
-                    [](const MaterialParameters &m) { return m.is_drained(); });
+                    [](const MaterialParameters &m) {
+                      return m.is_drained() && m.pore_fluid_stiffness == 0.;
+                    });
       if (p.pore_water.is_there())
         {
           const PhreaticLine line =
@@ -295,9 +300,13 @@ namespace Waker
                          "will be coarse; 2 is usual");
 
     warn_of_unused(p, warnings);
+    warn_of_friction(p, warnings);
     check_section(p, warnings);
     check_water(p, warnings);
     check_liquids(p, warnings);
+    warn_of_pore_water(p, warnings);
+    for (const std::string &text : storm_warnings(p))
+      warnings.push_back(text);
     for (const std::string &text : unused_in_load_programmes(p))
       warnings.push_back(text);
 

@@ -52,6 +52,54 @@ namespace Waker
                   choice,
                   warnings);
     }
+
+
+    /// Of the water in the ground.
+    void
+    warn_of_unused_lines(const Parameters         &p,
+                         std::vector<std::string> &warnings)
+    {
+      const PoreWaterParameters &water  = p.pore_water;
+      const std::string          usual  = PoreWaterParameters().delay;
+      const std::string          at_all = "no Lines by level";
+      warn_unused(!water.follows_water() && tidy(water.delay) != usual,
+                  "Pore water/Delay",
+                  at_all,
+                  warnings);
+      for (const HeadLineParameters &line : water.head_lines)
+        {
+          warn_unused(!line.follows_water() && tidy(line.delay) != usual,
+                      "Head lines/" + line.name + "/Delay",
+                      at_all,
+                      warnings);
+          const auto is_meant = [&](const ReferenceLineParameters &r) {
+            return tidy(r.top_head_line) == line.name ||
+                   tidy(r.bottom_head_line) == line.name;
+          };
+          warn_unused(std::none_of(water.reference_lines.begin(),
+                                   water.reference_lines.end(),
+                                   is_meant),
+                      "Head lines/" + line.name,
+                      "the reference lines that there are",
+                      warnings);
+        }
+      if (!water.reference_lines.empty())
+        {
+          const ReferenceLineParameters &first =
+            water.reference_lines[from_top_to_bottom(water.reference_lines)[0]];
+          warn_unused(!tidy(first.top_head_line).empty(),
+                      "Reference lines/" + first.name + "/Top head line",
+                      "the first reference line: above it the pressure is "
+                      "hydrostatic from the phreatic line",
+                      warnings);
+        }
+      for (const TractionParameters &t : p.tractions)
+        warn_unused(t.spread != TractionParameters().spread &&
+                      tidy(t.consolidation).empty(),
+                    "Tractions/" + t.name + "/Spread",
+                    "no Consolidation",
+                    warnings);
+    }
   } // namespace
 
 
@@ -83,6 +131,7 @@ namespace Waker
                   "Water/Unit weight",
                   "Side = none",
                   warnings);
+    warn_of_unused_lines(p, warnings);
     for (const MaterialParameters &m : p.materials)
       warn_of_unused_regularisation(m, warnings);
     for (const MaterialParameters &m : p.materials)
@@ -91,6 +140,23 @@ namespace Waker
         const StrengthFrom from = m.von_mises.strength.from;
         const std::string  choice =
           std::string("Strength from = ") + name_of(from);
+        if (m.model != MaterialModel::mohr_coulomb)
+          warn_unused(m.mohr_coulomb.has_table(),
+                      path + "Shear strength table",
+                      std::string("Model = ") + name_of(m.model),
+                      warnings);
+        else if (m.mohr_coulomb.has_table())
+          {
+            const MohrCoulombParameters usual;
+            warn_unused(m.mohr_coulomb.cohesion != usual.cohesion,
+                        path + "Cohesion",
+                        "Shear strength table",
+                        warnings);
+            warn_unused(m.mohr_coulomb.friction_angle != usual.friction_angle,
+                        path + "Friction angle",
+                        "Shear strength table",
+                        warnings);
+          }
         if (m.model != MaterialModel::von_mises_softening)
           {
             warn_unused(from != StrengthFrom::place,
@@ -130,6 +196,23 @@ namespace Waker
                 "Pore water/Phreatic line",
                 "laws of total stress alone",
                 warnings);
+    const InitialStressParameters at_rest;
+    for (const MaterialParameters &m : p.materials)
+      warn_unused(p.initial_stress.from != StressFrom::k0 &&
+                    m.k0 != MaterialParameters().k0,
+                  "Materials/" + m.name + "/K0",
+                  "Initial stress/From = gravity",
+                  warnings);
+    warn_unused(p.initial_stress.laws != BalanceLaws::plastic &&
+                  p.initial_stress.steps != at_rest.steps,
+                "Initial stress/Steps",
+                "Laws = elastic",
+                warnings);
+    warn_unused(!p.initial_stress.daily_stage &&
+                  !tidy(p.initial_stress.daily_level).empty(),
+                "Initial stress/Daily level",
+                "Daily stage = false",
+                warnings);
     warn_unused(!p.gravity.initial_stress && p.gravity.initial_share != 1.,
                 "Gravity/Initial share",
                 "Initial stress = false",
@@ -140,5 +223,23 @@ namespace Waker
                 "Time stepping/Courant number",
                 std::string("Scheme = ") + name_of(p.time.scheme),
                 warnings);
+    const bool has_long_steps = scheme_traits(p.time).has_long_steps;
+    const auto warn_of_time = [&](const bool is_set, const std::string &name) {
+      warn_unused(is_set,
+                  "Time stepping/" + name,
+                  std::string("Scheme = ") + name_of(p.time.scheme),
+                  warnings);
+    };
+    warn_of_time(!has_long_steps && p.time.longest_step != usual.longest_step,
+                 "Longest step");
+    warn_of_time(!has_long_steps && p.time.largest_rise != usual.largest_rise,
+                 "Largest rise");
+    warn_of_time(!has_long_steps &&
+                   p.time.largest_displacement != usual.largest_displacement,
+                 "Largest displacement");
+    warn_of_time(has_long_steps && p.time.load_duration != usual.load_duration,
+                 "Load duration");
+    warn_of_time(has_long_steps && p.time.move_points != usual.move_points,
+                 "Move points");
   }
 } // namespace Waker

@@ -53,6 +53,9 @@ namespace Waker
         return record.sliding_masses ? double(f(*record.sliding_masses)) : nan;
       };
     };
+    const auto time_or_nan = [](const double time) {
+      return time >= 0. ? time : nan;
+    };
     const auto is_stopped = [](const Record &record) {
       return record.load_stop_time.value_or(-1.) >= 0.;
     };
@@ -82,7 +85,15 @@ namespace Waker
        })},
       {"damaged crest width", "m", of_masses([](const SlidingMasses &s) {
          return s.damaged_crest_width;
-       })}};
+       })},
+      {"time of initial failure",
+       "s",
+       [=](const Record &r) {
+         return time_or_nan(r.time_of(FailureReading::any));
+       }},
+      {"time of flooding", "s", [=](const Record &r) {
+         return time_or_nan(r.flooding_time);
+       }}};
 
     std::vector<Quantity> list;
     for (const auto &[name, unit, value] : all)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/statistics/columns.h>
 #include <waker/statistics/csv_table.h>
+#include <waker/statistics/field_columns.h>
 #include <waker/statistics/report_tables.h>
 
 #include <algorithm>
@@ -43,6 +44,11 @@ namespace Waker
       add_titles(sliding_columns, titles);
       add_titles(sliding_count_columns, titles);
       add_titles(work_columns, titles);
+      std::vector<const std::vector<Record> *> all;
+      for (const auto &scenario : scenarios)
+        all.push_back(scenario.records);
+      const std::vector<FieldColumn> of_fields = field_columns(all);
+      add_titles(of_fields, titles);
       CsvTable table(titles);
       for (std::size_t s = 0; s < scenarios.size(); ++s)
         {
@@ -77,6 +83,8 @@ namespace Waker
               add_cells(sliding_columns, analysed, table);
               add_cells(sliding_count_columns, analysed, table);
               add_cells(work_columns, analysed, table);
+              for (const FieldColumn &column : of_fields)
+                table.cell(column.value(records[i]));
             }
         }
       return table.finish();

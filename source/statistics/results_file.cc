@@ -2,6 +2,7 @@
 #include <waker/base/errors.h>
 #include <waker/output/files.h>
 #include <waker/statistics/columns.h>
+#include <waker/statistics/field_columns.h>
 #include <waker/statistics/results_file.h>
 #include <waker/statistics/results_scenarios.h>
 #include <waker/store/hdf5_file.h>
@@ -230,6 +231,16 @@ namespace Waker
       write_columns(file, table, sliding_columns);
       write_columns(file, table, sliding_count_columns);
       write_columns(file, table, work_columns);
+      for (const FieldColumn &column : field_columns({&records}))
+        {
+          std::vector<double> values(table.n_places, missing<double>);
+          for (std::size_t i = 0; i < table.records.size(); ++i)
+            values[table.places[i]] = column.value(*table.records[i].record);
+          Hdf5File::Attributes attributes =
+            describe(column.units, column.long_name);
+          attributes.emplace_back("_FillValue", missing<double>);
+          file.write_variable(column.name, plane, values, attributes);
+        }
       write_items(
         file, table, "slide", table.n_slides, slide_columns, [
         ](const AnalysedRecord &a) -> const auto & { return a.slides; });

@@ -49,6 +49,7 @@ namespace Waker
       f("residual_height_z", s.residual_height_z, length);
       f("load", s.load, any);
       f("load_stop_time", s.load_stop_time, event_time);
+      f("random_fields", s.random_fields, any);
     }
 
 

@@ -53,3 +53,23 @@ def front(run, height=0.0015, width=0.008):
     end = np.nonzero(there / width < height)[0][0]
     return float(np.interp(height, [there[end] / width, there[end - 1] / width],
                            [middle[end], middle[end - 1]]))
+
+
+# Case, and how fast the wall moves into the soil (m per s).
+WALLS = {"passive": ("verification/wall_passive.prm", 0.002),
+         "active": ("verification/wall_active.prm", -0.0002)}
+
+
+def rankine(wall):
+    """Force on the wall of the cases above (kN/m)."""
+    weight, height, cohesion, angle = 18.0, 2.0, 2.0, 30.0
+    sign = 1 if wall == "passive" else -1
+    k = math.tan(math.radians(45 + sign * angle / 2))**2
+    return (weight * height**2 * k / 2
+            + sign * 2 * cohesion * height * math.sqrt(k))
+
+
+def wall_force(run, rate):
+    """Force on the wall, by step (kN/m)."""
+    moved = rate * run.statistics["Time (s)"]
+    return np.diff(run.statistics["Work of the supports (kJ)"]) / np.diff(moved)

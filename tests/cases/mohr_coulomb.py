@@ -11,7 +11,8 @@ import sys
 
 import numpy as np
 from friction_measures import (COLUMN, DRAWDOWN, FOOTING, HALF_WIDTH, MEASURED,
-                               SLOPE, front, heights, load, n_c)
+                               SLOPE, WALLS, front, heights, load, n_c, rankine,
+                               wall_force)
 from waker_case import Checks, workspace_of_arguments
 
 COARSE = {"Grid/Cell size": 1, "Time stepping/Time step": 0.02}
@@ -82,10 +83,38 @@ def footing(checks, work):
     checks.between("  load over N_c c of a footing half a cell wider",
                    over / (1.0 + 0.0625 / HALF_WIDTH), 1.0, 1.15)
     checks.between("  load over N_c c, as before", over, 1.255, 1.263)
+    # One point a cell: no two of a cell want different changes of volume.
+    single = work.run("single", FOOTING, {
+        "Material points/Points per direction": 1, "Time stepping/End time": 30})
+    loads = load(single)
+    checks.between("  one point a cell: load over N_c c", float(loads[-1]) / n_c(20.0),
+                   1.0, 1.05)
+    checks.between("  as before", float(loads[-1]) / n_c(20.0), 1.041, 1.0435)
+    checks.below("  growth over the last third", float(loads[-1] / loads[len(loads) * 2 // 3])
+                 - 1.0, 0.002)
+
+
+def walls(checks, work):
+    for name, (case, rate) in WALLS.items():
+        force = wall_force(work.run(name, case), rate)
+        checks.between(f"{name} earth pressure over Rankine's",
+                       float(force[-1]) / rankine(name), 1.0 - 1e-4, 1.0 + 1e-4)
+    # On a base that holds the soil the wedge has to shear off it.
+    held = work.run("held", WALLS["passive"][0], {
+        "Boundary conditions/base/Type": "fixed", "Time stepping/End time": 25})
+    checks.between("  passive, on a fixed base, coarse",
+                   float(wall_force(held, WALLS["passive"][1])[-1]) / rankine("passive"),
+                   1.0, 1.04)
+    # The control: half the friction is another force.
+    other = work.run("other", WALLS["passive"][0],
+                     {"Materials/soil/Friction angle": 15})
+    checks.below("  passive, 15 degrees, over that of 30",
+                 float(wall_force(other, WALLS["passive"][1])[-1]) / rankine("passive"),
+                 0.7)
 
 
 def main():
-    parts = (coarse_slopes, footing)
+    parts = (coarse_slopes, footing, walls)
     if "--long" in sys.argv:
         sys.argv.remove("--long")
         parts = (slopes, pile)

@@ -91,7 +91,7 @@ namespace base_choice
 
   TEST(Base, names_of_all_choices)
   {
-    check_names<Scheme>(3);
+    check_names<Scheme>(4);
     check_names<Tangent>(2);
     check_names<StrainMeasure>(2);
     check_names<VolumetricStrain>(3);
@@ -111,14 +111,16 @@ namespace base_choice
     check_names<TractionMethod>(7);
     check_names<TractionKind>(3);
     check_names<TractionFollows>(3);
-    check_names<WallType>(2);
+    check_names<WallType>(3);
     check_names<Watched>(8);
     check_names<LoadProgrammeKind>(3);
     check_names<LoadTarget>(4);
     check_names<LoadedPoints>(2);
     check_names<LoadMass>(2);
-    check_names<FieldProperty>(6);
+    check_names<FieldProperty>(16);
     check_names<PorePressureOf>(2);
+    check_names<StressFrom>(2);
+    check_names<BalanceLaws>(2);
     check_names<FieldStatistics>(2);
     check_names<Marginal::Kind>(4);
     check_names<Correlation::Function>(3);

@@ -93,6 +93,7 @@ namespace case_state
       fill(state.tractions[1], 220.);
       state.loads            = {{1.5, 2.5, 3.5, true, 4.5, 5.5, 6.5},
                                 {7.5, 8.5, 9.5, false, 10.5, 11.5, 12.5}};
+      state.pore_water       = {13.25, {{14.25}, {15.25, 16.25}}};
       FlowAccount<dim> &flow = state.flow;
       flow.mass_start = 21.5, flow.mass_in = 22.5, flow.mass_out = 23.5;
       double number = 30.;
@@ -163,6 +164,8 @@ namespace case_state
         same_bytes(copy.failure.inner_slide, state.failure.inner_slide));
       EXPECT_TRUE(
         same_bytes(copy.failure.outer_slide, state.failure.outer_slide));
+      EXPECT_EQ(copy.pore_water.level, 13.25);
+      EXPECT_EQ(copy.pore_water.arrived, state.pore_water.arrived);
       EXPECT_EQ(copy.flow.mass_start, 21.5);
       EXPECT_EQ(copy.flow.mass_in, 22.5);
       EXPECT_EQ(copy.flow.mass_out, 23.5);

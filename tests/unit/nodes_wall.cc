@@ -59,7 +59,7 @@ namespace nodes_wall
         , walls(grid, {parameters}, modulus, std::pow(h, dim))
         , tractions(walls.n_spots())
       {
-        walls.reinit(body(grid, edge), 0., tractions);
+        walls.reinit(points, body(grid, edge), 0., tractions);
       }
 
       NodalVector
@@ -260,7 +260,7 @@ namespace nodes_wall
                 1e-11);
 
     const auto mass = body(setup.grid, 1.83);
-    setup.walls.reinit(mass, 2., setup.tractions);
+    setup.walls.reinit(setup.points, mass, 2., setup.tractions);
     EXPECT_NEAR(setup.walls.all_spots()[0].position[0], 1.9, 1e-14);
     // A second step that moves soil and wall alike changes nothing.
     setup.walls.set_step(2., 1.);
@@ -270,7 +270,7 @@ namespace nodes_wall
                 0.,
                 1e-11);
     // Where the soil is gone, the traction is forgotten.
-    setup.walls.reinit(body(setup.grid, 1.), 3., setup.tractions);
+    setup.walls.reinit(setup.points, body(setup.grid, 1.), 3., setup.tractions);
     EXPECT_EQ(setup.walls.force(0, setup.tractions).norm(), 0.);
   }
 

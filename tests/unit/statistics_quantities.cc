@@ -79,6 +79,26 @@ namespace statistics_quantities
   }
 
 
+  TEST(Quantities, say_when_dykes_fail)
+  {
+    std::vector<Record> records(3);
+    records[0].outcome          = Outcome::flooding;
+    records[0].inner_slide.time = 3.;
+    records[0].initial_time     = 4.;
+    records[0].flooding_time    = 90.;
+    records[1].outcome          = Outcome::initial_failure;
+    records[1].initial_time     = 2.;
+    records[2].outcome          = Outcome::stable;
+    const auto list             = quantities(records);
+    ASSERT_EQ(list.size(), 2u);
+    EXPECT_EQ(list[0].name, "time of initial failure");
+    EXPECT_EQ(list[0].values, (std::vector<double>{2., 3.}));
+    EXPECT_EQ(list[1].name, "time of flooding");
+    EXPECT_EQ(list[1].values, std::vector<double>{90.});
+    EXPECT_EQ(list[1].unit, "s");
+  }
+
+
   TEST(Quantities, without_water_nothing_is_said_of_flooding)
   {
     const std::vector<Record> records = {loaded(0.6, 3.), loaded(0.4, 2.)};

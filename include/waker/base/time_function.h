@@ -46,6 +46,16 @@ namespace Waker
     double
     last_change() const;
 
+    /// The first corner of a table after a time (s); infinity if none comes, or
+    /// if it is no table.
+    double
+    next_corner(const double t) const;
+
+    /// The first time at which a table has its largest value (s); of an
+    /// expression 0.
+    double
+    time_of_largest() const;
+
     /// Does it change between two times? A table: exactly; an expression: see
     /// Waker::varies().
     bool

@@ -13,10 +13,41 @@
 
 namespace Waker
 {
-  /// The largest value that a property can have: of angles 89 degrees, else no
-  /// limit.
+  /// The largest value that a property can have: of angles 89 degrees, of an
+  /// exponent 1, else no limit.
   double
   largest_possible(const FieldProperty property);
+
+  /// What a random field may vary of a material: variables of its law,
+  /// coefficients of these, or what the material is without a law.
+  struct RandomProperty
+  {
+    enum class Kind
+    {
+      variable,
+      coefficient,
+      unit_weight,
+      stiffness
+    };
+
+    Kind         kind;
+    unsigned int number; // of a variable or coefficient, in the law's order
+    std::string  name;
+    std::string  unit;
+  };
+
+  /// Nothing if the material does not have it.
+  template <int dim>
+  std::optional<RandomProperty>
+  random_property(const Case<dim>    &the_case,
+                  const unsigned int  material,
+                  const FieldProperty property);
+
+  /// The materials whose points a field is for.
+  /// @throws UserError "Random fields/<name>/..."
+  template <int dim>
+  std::vector<unsigned int>
+  materials_of(const Case<dim> &the_case, const RandomFieldParameters &field);
 
   /// Mean and standard deviation (of the property's unit) of a random field,
   /// anywhere in the soil.
@@ -24,7 +55,7 @@ namespace Waker
   class FieldMoments
   {
   public:
-    /// The first two are kept by reference.
+    /// @param the_case must outlive this object
     /// @throws UserError "Random fields/<name>/...": an unknown property, no
     /// expression
     FieldMoments(const Case<dim>             &the_case,
@@ -35,12 +66,16 @@ namespace Waker
     std::pair<double, double>
     at(const Point<dim> &x, const unsigned int layer) const;
 
-    /// The name of the property that varies, among the points' scalars.
-    const std::string &
-    variable_name() const
+    /// The property that varies; the points have a scalar of its name.
+    const RandomProperty &
+    varied() const
     {
-      return name;
+      return property;
     }
+
+    /// The material's value at x, whatever mean the field has.
+    double
+    of_material(const Point<dim> &x, const InGround &place) const;
 
     /// Can the property have this mean?
     bool
@@ -53,11 +88,10 @@ namespace Waker
 
   private:
     const Case<dim>                    *the_case;
-    const RandomFieldParameters        *field;
+    RandomFieldParameters               field;
     InitialProperties<dim>              own; // of the material
     unsigned int                        material;
-    unsigned int                        variable;
-    std::string                         name;      // of the variable
+    RandomProperty                      property;
     std::optional<PlaceExpression<dim>> mean;      // none: the material's
     std::optional<PlaceExpression<dim>> deviation; // none: from the mean
   };

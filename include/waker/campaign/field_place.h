@@ -22,6 +22,12 @@ namespace Waker
   }
 
 
+  /// Coordinates (m) in the lattice of a field: of a section in space.
+  template <int dim>
+  std::array<double, 3>
+  field_coordinates(const Case<dim> &the_case, const Point<dim> &x);
+
+
   /// "3.5, 2".
   std::string
   place_text(const unsigned int dim, const std::array<double, 3> &x);
@@ -49,7 +55,10 @@ namespace Waker
             const std::string         &path) const;
 
     std::array<double, 3>
-    of(const Point<dim> &x) const;
+    of(const Point<dim> &x) const
+    {
+      return field_coordinates(*the_case, x);
+    }
 
   private:
     const Case<dim>  *the_case;

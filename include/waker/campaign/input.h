@@ -40,6 +40,11 @@ namespace Waker
     /// All checks that need no grid. @throws UserError
     void
     check() const;
+
+    /// Tell the materials which properties have random fields that their laws
+    /// must know of.
+    void
+    prepare_materials();
   };
 } // namespace Waker
 

@@ -2,27 +2,33 @@
 #ifndef waker_campaign_random_properties_h
 #define waker_campaign_random_properties_h
 
+#include <waker/campaign/dependent_properties.h>
+#include <waker/campaign/field_target.h>
 #include <waker/case/case.h>
 #include <waker/case/state.h>
-#include <waker/fields/marginal.h>
 #include <waker/fields/random_fields.h>
+#include <waker/store/record.h>
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Waker
 {
   /**
    * Gives the points of a realisation their properties: white noise -> fields
-   * -> values at the points, by their initial place. One object serves all
+   * -> values at the points, by their initial place, and what follows from
+   * these (strengths, masses, the initial stress). One object serves all
    * realisations of a case; it is not for two threads at a time.
    */
   template <int dim>
   class RandomProperties
   {
   public:
+    /// @param the_case must outlive this object
     /// @throws UserError "Random fields/..."
     RandomProperties(const Case<dim>              &the_case,
                      const RandomFieldsParameters &parameters);
@@ -35,7 +41,8 @@ namespace Waker
 
     /// Set the properties of the points of `state`, a copy of the case's first
     /// one. @param noise n_noise() standard normal numbers
-    /// @throws NumericalFailure "Random fields/...": a value is not finite
+    /// @throws NumericalFailure "Random fields/...": a value is not finite; or
+    /// soil of varying weight does not come to rest in the gravity step
     void
     apply(const double *noise, State<dim> &state) const;
 
@@ -65,30 +72,70 @@ namespace Waker
     std::vector<std::string>
     warnings() const;
 
+    /// Average and least value of each field that apply() has set, for the
+    /// record; nothing of one field without an average of its own.
+    std::optional<std::vector<FieldSummary>>
+    summaries(const State<dim> &state) const;
+
+    /// "Random fields/pop: 12 of 3400 points are cut off at a limit", of the
+    /// points that apply() has set last; a line per field with such points.
+    std::vector<std::string>
+    cut_off() const;
+
   private:
-    /// Where one field goes.
-    struct Target
+    /// The residual strength that goes along, and its ratio to the property of
+    /// a target, one per point.
+    struct Residual
     {
-      std::string              path; // "Random fields/strength"
-      std::string              property;
-      Marginal                 marginal;
-      std::vector<std::size_t> points; // that get it
-      std::vector<std::size_t> cells;  // of its lattice, one per point
-      std::vector<double>      mean;   // of the property's unit, one per point
-      std::vector<double>      standard_deviation;
-      /// The residual strength that goes along, and its ratio to the property,
-      /// one per point; else empty.
-      std::string         residual;
-      std::vector<double> residual_ratio;
+      std::size_t         target;
+      std::string         name;
+      std::vector<double> ratio;
     };
 
-    void
-    set_residual(const Target &target, State<dim> &state) const;
+    /// Is there a field of this property for this material?
+    bool
+    has_field(const unsigned int material, const std::string &name) const;
 
-    std::unique_ptr<RandomFields>            fields; // none: deterministic
-    std::vector<Target>                      targets;
-    std::string                              unit_of_first;
+    void
+    find_residuals();
+
+    /// Of the fields, or their means.
+    void
+    set(const bool is_random, State<dim> &state) const;
+
+    void
+    set_weights(const bool                is_random,
+                std::vector<CellWeights> &weights,
+                State<dim>               &state) const;
+
+    /// Of the points; a coefficient is new to them.
+    std::vector<double> &
+    scalar_of(const RandomProperty &property, State<dim> &state) const;
+
+    /// @return is there a field of it?
+    bool
+    set_stiffness(const bool is_random, State<dim> &state) const;
+
+    double
+    value(const FieldTarget<dim> &target,
+          const std::size_t       i,
+          const bool              is_random) const;
+
+    std::pair<double, double>
+    mean_and_least(const unsigned int field, const State<dim> &state) const;
+
+    const Case<dim>              *the_case;
+    std::unique_ptr<RandomFields> fields;   // none: deterministic
+    std::vector<std::string>      names;    // of the fields
+    std::vector<double> average_deviations; // of scores; 0: no average
+    std::vector<FieldTarget<dim>>           targets;
+    std::vector<Residual>                   residuals;
+    std::optional<DependentProperties<dim>> dependent;
+    std::string                             unit_of_first;
+    // Work space, and what the last realisation had.
     mutable std::vector<std::vector<double>> scores;
+    mutable std::vector<double>              averages;
+    mutable std::vector<std::size_t>         n_cut_off; // by target
   };
 
 

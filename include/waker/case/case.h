@@ -9,16 +9,36 @@
 #include <waker/case/parameters.h>
 #include <waker/loads/tractions.h>
 #include <waker/measures/crest.h>
+#include <waker/mechanics/balance_step.h>
 #include <waker/mechanics/gravity_step.h>
 #include <waker/mechanics/stress_update.h>
 #include <waker/nodes/fixities.h>
 #include <waker/nodes/wall.h>
 #include <waker/surface/user_surface.h>
 
+#include <optional>
+#include <string>
+#include <vector>
+
 namespace Waker
 {
   template <int dim>
   class Scene;
+
+
+  /// How the stress of a stage has come about.
+  struct StageReport
+  {
+    std::string name;
+    /// See out_of_balance(): of the stress that it began with.
+    double imbalance = 1.;
+    /// Plastic laws; else there is a gravity step.
+    std::optional<BalanceReport> balance;
+    GravityReport                gravity;
+    /// Of the effective vertical stress, from that of columns, and their mean
+    /// over the volume (kPa); NaN if those are not known.
+    double difference_rms = nan, mean_vertical_stress = nan;
+  };
 
 
   /**
@@ -52,11 +72,15 @@ namespace Waker
     /// Number of each one's layer; no layer has the number of what flows in.
     std::vector<unsigned int>      layers_of_points;
     typename Walls<dim>::Tractions initial_wall_tractions; // kPa
+    /// Numbers of the walls that no soil touches.
+    std::vector<unsigned int> idle_walls;
     /// Of the tractions, one each; without pieces for those that do not ride.
     std::vector<RidingLoad<dim>> riding_loads;
     /// Of the tractions, one each.
     std::vector<typename Tractions<dim>::Resultant> initial_tractions;
     GravityReport                                   gravity_report;
+    /// Of the stress at t = 0, the daily one first; empty without any.
+    std::vector<StageReport> stages;
     /// The time at which the loads settle (s), the last one at which any of
     /// them changes: as known from the loads, or as the user says; see
     /// LastChange. Of load programmes the records know.
@@ -79,6 +103,15 @@ namespace Waker
 
     void
     set_initial_state();
+
+    /// The stress of the points, in balance with the scene's external force:
+    /// source/case/initial_stress.cc.
+    void
+    set_stress(Scene<dim> &scene);
+
+    /// The stress of the daily stage, for the laws at t = 0.
+    void
+    carry_daily_stress();
   };
 
 

@@ -3,9 +3,11 @@
 #define waker_case_ground_h
 
 #include <waker/loads/pore_water.h>
+#include <waker/loads/quick_loads.h>
 #include <waker/particles/place_expression.h>
 #include <waker/particles/soil_depths.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,8 +20,9 @@ namespace Waker
   /**
    * The ground at t = 0, before anything moves: how deep a place lies in it,
    * and what lies on it. The vertical stress is the weight of the column of
-   * soil and water over the place, whatever slopes beside it; effective where
-   * there is a phreatic line (compression positive).
+   * soil and water over the place, whatever slopes beside it, and now, not on
+   * usual days, what quick loads bring; effective where there is a phreatic
+   * line (compression positive).
    */
   template <int dim>
   class Ground
@@ -31,10 +34,44 @@ namespace Waker
            const Parameters          &parameters,
            const PoreWater<dim>      &pore_water);
 
+    /// The mean ratio of the unit weights of soil to those of its material, of
+    /// a vertical line from `low` to `high` (m) at x.
+    using WeightRatio = std::function<double(const unsigned int material,
+                                             const Point<dim>  &x,
+                                             const double       low,
+                                             const double       high)>;
+
     /// @param layer number of the layer that the place belongs to; one that
     /// there is not (of soil that flows in): all is NaN
+    /// @param weight_ratio of soil whose weight varies; empty: 1
     InGround
-    at(const Point<dim> &x, const unsigned int layer) const;
+    at(const Point<dim>  &x,
+       const unsigned int layer,
+       const WeightRatio &weight_ratio = {}) const;
+
+    /// The points' scalar "pore pressure of loads" (kPa), of quick loads; made
+    /// if there are any.
+    /// @param layers number of each point's layer
+    void
+    record_loads(const std::vector<unsigned int> &layers,
+                 MaterialPoints<dim>             &points) const;
+
+    /// @param path of a parameter that asks for the vertical stress
+    /// @param what it is, for the error
+    /// @param otherwise what else it may be, likewise
+    /// @throws UserError path: there is no gravity; or water stands outside,
+    /// and there is no phreatic line
+    void
+    require_stress(const std::string &path,
+                   const std::string &what,
+                   const std::string &otherwise) const;
+
+    /// Is the vertical stress known?
+    bool
+    knows_stress() const
+    {
+      return has_gravity && stress_is_known;
+    }
 
     const SoilDepths<dim> &
     depths() const
@@ -51,10 +88,10 @@ namespace Waker
           const std::string          &path) const;
 
   private:
-    /// kN/m^3
-    struct UnitWeights
+    struct SoilOfLayer
     {
-      double above_line, below_line;
+      double       above_line, below_line; // unit weight, kN/m^3
+      unsigned int material, material_below_line;
     };
 
     using Column = std::vector<typename SoilDepths<dim>::InLayer>;
@@ -63,10 +100,16 @@ namespace Waker
     double
     vertical_stress(const Column         &column,
                     const Point<dim>     &x,
-                    const PoreWater<dim> &water) const;
+                    const PoreWater<dim> &water,
+                    const WeightRatio    &weight_ratio) const;
+
+    /// Of quick loads, in the water there (kPa).
+    double
+    load_pressure(const Point<dim> &x, const unsigned int layer) const;
 
     SoilDepths<dim>          soil_depths;
-    std::vector<UnitWeights> unit_weights; // by layer
+    QuickLoads<dim>          quick_loads;
+    std::vector<SoilOfLayer> soils; // by layer
     const PoreWater<dim>    *pore_water;
     PoreWater<dim>           daily_pore_water;
     double                   water_weight; // kN/m^3

@@ -30,6 +30,26 @@ namespace Waker
        const Point<dim>  &x,
        const unsigned int layer) const;
 
+    /// The same, of soil with coefficients of its own.
+    /// @param place what the ground is like there
+    /// @param coefficients as coefficients() gives them
+    std::vector<double>
+    at(const unsigned int         material,
+       const Point<dim>          &x,
+       const InGround            &place,
+       const std::vector<double> &coefficients) const;
+
+    /// The material's coefficients, in the law's order.
+    const std::vector<double> &
+    coefficients(const unsigned int material) const
+    {
+      return coefficient_values[material];
+    }
+
+    /// Does a variable of the material ask for a vertical stress?
+    bool
+    asks_for_stress(const unsigned int material) const;
+
     /**
      * Set the variables of all points whose material has expressions, by the
      * place of the points at t = 0.
@@ -52,6 +72,7 @@ namespace Waker
     const Materials                   *materials;
     const Ground<dim>                 *ground;
     std::vector<std::vector<Property>> properties; // by material
+    std::vector<std::vector<double>>   coefficient_values;
   };
 } // namespace Waker
 

@@ -3,6 +3,7 @@
 #define waker_case_parameters_h
 
 #include <waker/base/numbers.h>
+#include <waker/case/initial_stress_parameters.h>
 #include <waker/control/load_programme_parameters.h>
 #include <waker/control/parameters.h>
 #include <waker/loads/parameters.h>
@@ -71,6 +72,7 @@ namespace Waker
     std::vector<LayerParameters>         layers;
     std::vector<FixityParameters>        fixities;
     GravityParameters                    gravity;
+    InitialStressParameters              initial_stress;
     WaterParameters                      water;
     PoreWaterParameters                  pore_water;
     SurfaceParameters                    surface;

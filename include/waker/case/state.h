@@ -2,7 +2,9 @@
 #ifndef waker_case_state_h
 #define waker_case_state_h
 
+#include <waker/control/long_steps.h>
 #include <waker/control/stop_rules.h>
+#include <waker/loads/pore_water.h>
 #include <waker/loads/tractions.h>
 #include <waker/measures/failure_record.h>
 #include <waker/measures/load_record.h>
@@ -39,6 +41,8 @@ namespace Waker
 
     std::vector<LoadRecord> loads; // of the load programmes, one each
 
+    PoreWaterRecord pore_water;
+
     FlowAccount<dim> flow;
     EnergyAccount    energy;
     FailureRecord    failure;
@@ -57,6 +61,7 @@ namespace Waker
     std::uint64_t newton_iterations  = 0;
     std::uint64_t linear_iterations  = 0;
     std::uint64_t unconverged_steps  = 0; // attempts given up
+    LongSteps     long_steps;             // if the scheme has them
 
     /// To and from bytes, for checkpoints: exact, for the same program and
     /// machine. read() throws std::exception if the bytes are not a state.

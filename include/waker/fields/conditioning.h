@@ -42,6 +42,8 @@ namespace Waker
      *        1 for those normalised to unit variance of the cells
      * @param error_variance of one measured score, >= 0
      * @param path "Random fields/strength", for errors
+     * @param common_variance of a part that is the same in all cells, beside
+     *        the cells' own: it is added to every covariance
      * @throws UserError path + "/Measurements" if C_oo + E is singular in
      * double precision, or if there are more than maximum_measured_cells
      */
@@ -50,7 +52,8 @@ namespace Waker
                  const std::vector<MeasuredScore> &measurements,
                  const double                      cell_variance,
                  const double                      error_variance,
-                 const std::string                &path);
+                 const std::string                &path,
+                 const double                      common_variance = 0.);
     ~Conditioning();
     Conditioning(Conditioning &&);
     Conditioning &
@@ -72,8 +75,9 @@ namespace Waker
      * @param values the field, one number per cell of the lattice: changed in
      *        place. Measured cells take the measured score exactly if there are
      *        no errors of measurement
+     * @return what the measurements add to the common part
      */
-    void
+    double
     apply(const double *noise, double *values) const;
 
     /// One line for the log: "conditioned on 36 measurements in 32 cells".

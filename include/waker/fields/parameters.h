@@ -18,7 +18,8 @@ namespace Waker
 {
   using namespace dealii;
 
-  /// What may vary: a variable of a material, of this name.
+  /// What may vary: a variable or a coefficient of a material, of this name;
+  /// or its weight.
   enum class FieldProperty
   {
     strength,
@@ -26,7 +27,17 @@ namespace Waker
     cohesion,
     residual_cohesion,
     friction_angle,
-    residual_friction_angle
+    residual_friction_angle,
+    dilatancy_angle,
+    residual_dilatancy_angle,
+    strength_ratio,
+    strength_exponent,
+    pop,
+    strength_at_top,
+    strength_growth,
+    strength_factor,
+    unit_weight,
+    youngs_modulus
   };
 
   constexpr const char *
@@ -46,6 +57,26 @@ namespace Waker
           return "friction angle";
         case FieldProperty::residual_friction_angle:
           return "residual friction angle";
+        case FieldProperty::dilatancy_angle:
+          return "dilatancy angle";
+        case FieldProperty::residual_dilatancy_angle:
+          return "residual dilatancy angle";
+        case FieldProperty::strength_ratio:
+          return "strength ratio";
+        case FieldProperty::strength_exponent:
+          return "strength exponent";
+        case FieldProperty::pop:
+          return "POP";
+        case FieldProperty::strength_at_top:
+          return "strength at top";
+        case FieldProperty::strength_growth:
+          return "strength growth";
+        case FieldProperty::strength_factor:
+          return "strength factor";
+        case FieldProperty::unit_weight:
+          return "unit weight";
+        case FieldProperty::youngs_modulus:
+          return "Young's modulus";
       }
     return nullptr;
   }
@@ -77,19 +108,24 @@ namespace Waker
   {
     std::string name; // of the subsection
 
-    std::string   material; // a name of "Materials/Names"; empty: the only one
+    /// Names of "Materials/Names", or "all" that have the property; empty: the
+    /// only one.
+    std::string   material;
     FieldProperty property = FieldProperty::strength; // of the material
     /// Expression of the place (PlaceExpression); empty: the material's own
     /// value.
     std::string mean;
     double      coefficient_of_variation = 0.2; // of the mean at that place
     /// Unless "0": instead of the former (kPa), likewise an expression.
-    std::string           standard_deviation = "0";
-    FieldStatistics       statistics         = FieldStatistics::cells;
-    Marginal::Kind        distribution       = Marginal::Kind::normal;
-    double                minimum            = 0.;
-    double                maximum            = 1e300;
-    Correlation::Function correlation        = Correlation::Function::markov;
+    std::string     standard_deviation = "0";
+    FieldStatistics statistics         = FieldStatistics::cells;
+    Marginal::Kind  distribution       = Marginal::Kind::normal;
+    double          minimum            = 0.;
+    double          maximum            = 1e300;
+    /// Share of the variance that varies from place to place; the rest is of
+    /// the average, one number per realisation.
+    double                local_share = 1.;
+    Correlation::Function correlation = Correlation::Function::markov;
     /// Scales of fluctuation (m), horizontal first, then vertical; in 3D x, y,
     /// z, where y is vertical.
     std::vector<double> scales = {24., 0.5};
@@ -102,6 +138,10 @@ namespace Waker
 
     void
     add_parameters(ParameterHandler &prm);
+
+    /// The materials that it names, without spaces around them.
+    std::vector<std::string>
+    material_names() const;
 
     /// Instead of the coefficient of variation?
     bool

@@ -21,9 +21,11 @@ namespace Waker
    *
    * A score is a standard normal number where the statistics are those of the
    * cells; where they are those of points it has the variance of the cell
-   * averages, gamma < 1. Fields that are correlated are mixed cell by cell with
-   * the Cholesky factor of their correlation matrix. A marginal distribution
-   * turns scores into values (marginal.h).
+   * averages, gamma < 1. It may be a sum of two: that of the average of the
+   * soil, one number for all cells, and what varies from cell to cell. Fields
+   * that are correlated are mixed cell by cell with the Cholesky factor of
+   * their correlation matrix. A marginal distribution turns scores into values
+   * (marginal.h).
    */
   class RandomFields
   {
@@ -68,8 +70,8 @@ namespace Waker
       return fields[field].gamma;
     }
 
-    /// Variance of a field's scores: 1, or gamma if its statistics are those
-    /// of points.
+    /// Variance of a field's scores: 1; if its statistics are those of points
+    /// the local part counts gamma times.
     double
     score_variance(const unsigned int field) const
     {
@@ -85,22 +87,26 @@ namespace Waker
     warnings() const;
 
     /// @param noise n_noise() standard normal numbers
-    /// @param scores one array per field, one number per cell of its lattice.
+    /// @param scores one array per field, one number per cell of its lattice
+    /// @param averages one number per field: the share of its average in the
+    /// scores, before what varies from cell to cell; 0 if it has none
     /// Uses work space of the object: not for two threads at a time.
     void
     generate(const double                     *noise,
-             std::vector<std::vector<double>> &scores) const;
+             std::vector<std::vector<double>> &scores,
+             std::vector<double>              &averages) const;
 
   private:
     struct Field
     {
       std::string                     name;
       FieldLattice                    lattice;
-      double                          gamma;    // variance of a cell average
-      double                          scale;    // of the generator's values
-      double                          variance; // of the scores
-      std::vector<double>             scales;   // of fluctuation, m
-      std::unique_ptr<FieldGenerator> generator;
+      double                          gamma;     // variance of a cell average
+      double                          scale;     // of the generator's values
+      double                          average;   // standard deviation of it
+      double                          variance;  // of the scores
+      std::vector<double>             scales;    // of fluctuation, m
+      std::unique_ptr<FieldGenerator> generator; // none: nothing is local
       std::unique_ptr<Conditioning>   conditioning; // or none
     };
 

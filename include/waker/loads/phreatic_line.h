@@ -3,13 +3,15 @@
 #define waker_loads_phreatic_line_h
 
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace Waker
 {
   /// The line at which the pressure of the water in the ground is 0, in space
-  /// the same along z. Beyond its ends it is level.
+  /// the same along z. Beyond its ends it is level. Lines of heads, and those
+  /// between which heads are given, are alike (loads/heads.h).
   class PhreaticLine
   {
   public:
@@ -22,10 +24,21 @@ namespace Waker
     /// @throws UserError path
     PhreaticLine(const std::string &text, const std::string &path);
 
+    /// @param places of its corners (m), in any order
+    /// @param height at x
+    PhreaticLine(std::vector<double>                        places,
+                 const std::function<double(const double)> &height);
+
     bool
     empty() const
     {
       return corners.empty();
+    }
+
+    const std::vector<std::array<double, 2>> &
+    all() const
+    {
+      return corners;
     }
 
     /// Its height (m) at x; there must be a line.

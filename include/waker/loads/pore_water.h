@@ -3,7 +3,7 @@
 #define waker_loads_pore_water_h
 
 #include <waker/base/numbers.h>
-#include <waker/loads/phreatic_line.h>
+#include <waker/loads/heads.h>
 #include <waker/mapping/weights.h>
 #include <waker/nodes/nodal_vector.h>
 #include <waker/particles/material_points.h>
@@ -50,9 +50,15 @@ namespace Waker
     /// water outside (m), ascending.
     std::string lines_by_level;
     /// Likewise, of the days on which the soil consolidated. Empty: the same.
-    std::string    daily_phreatic_line;
+    std::string daily_phreatic_line;
+    /// How long the line takes to follow the water outside: see LineDelay.
+    std::string    delay           = "0";
     double         largest_suction = 0.; // kPa
     PorePressureOf pressure_of     = PorePressureOf::place;
+
+    // Sections of their own.
+    std::vector<HeadLineParameters>      head_lines;
+    std::vector<ReferenceLineParameters> reference_lines;
 
     bool
     is_there() const;
@@ -61,10 +67,19 @@ namespace Waker
     PhreaticLines
     lines() const;
 
+    /// Does the phreatic line?
     bool
     follows_water() const;
 
-    /// The same with the daily line as the line.
+    /// Does it, or any head line?
+    bool
+    anything_follows_water() const;
+
+    /// The phreatic line as it follows, and how long that takes.
+    FollowingLine
+    following() const;
+
+    /// The same with the daily lines as the lines.
     PoreWaterParameters
     of_the_daily_water() const;
 
@@ -77,13 +92,31 @@ namespace Waker
   };
 
 
+  /// What the lines have seen of the water outside.
+  struct PoreWaterRecord
+  {
+    double level = nan; // outside, at the end of the last step (m)
+    /// What of it has arrived (m): at the phreatic line, then at each head
+    /// line, at the places of its delay.
+    std::vector<std::vector<double>> arrived;
+
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &level &arrived;
+    }
+  };
+
+
   /**
-   * Water in the ground: hydrostatic pressure u below a phreatic line, in space
-   * the same along z. Above it there is suction, up to a limit. Beyond its ends
-   * the line is level. What laws of effective stress s' compute is completed to
-   * the total stress s' - u 1 (tension positive), so the nodes carry
-   *   f_i = sum_p V_p u_p grad S_ip
-   * of their points. Laws of total stress have no part in it.
+   * Water in the ground: its pressure is u = gamma_w (head - y), with the
+   * Heads of a phreatic line and, if there are reference lines, of head lines;
+   * in space the same along z. Where that is negative there is suction, up to a
+   * limit. Beyond their ends the lines are level. What laws of effective stress
+   * s' compute is completed to the total stress s' - u 1 (tension positive), so
+   * the nodes carry f_i = sum_p V_p u_p grad S_ip of their points. Laws of
+   * total stress have no part in it.
    */
   template <int dim>
   class PoreWater
@@ -107,18 +140,38 @@ namespace Waker
     double
     pressure(const Point<dim> &x) const;
 
-    /// At t = 0.
+    /// The phreatic line at t = 0.
     const PhreaticLine &
     line() const
     {
       return line_at_start;
     }
 
-    /// The points' scalar "pore pressure" (kPa), of all materials; made if it
-    /// is new. Does nothing without pore water.
-    /// @param level of the water outside now (m), if the line follows it
+    /// Of water that has always stood at `level` (m).
+    PoreWaterRecord
+    start(const double level) const;
+
+    /// A step of dt (s) ends, and the water outside stands at `level` (m).
     void
-    record(MaterialPoints<dim> &points, const double level = nan) const;
+    follow(const double level, const double dt, PoreWaterRecord &record) const;
+
+    /// How long after the last change of the water outside the lines change
+    /// (s): until a thousandth of it is left, 7 times their longest delay.
+    double
+    time_to_settle() const;
+
+    /// The points' scalar "pore pressure" (kPa), of all materials, with that of
+    /// loads on the ground if the points have it (loads/quick_loads.h); made
+    /// if it is new. Does nothing without pore water.
+    void
+    record(MaterialPoints<dim> &points, const PoreWaterRecord &outside) const;
+
+    /// The same when the water outside has always stood at `level` (m).
+    void
+    record(MaterialPoints<dim> &points, const double level = nan) const
+    {
+      record(points, start(level));
+    }
 
     /// force += what the pressure that is recorded does (kN).
     void
@@ -127,15 +180,27 @@ namespace Waker
                      NodalVector               &force) const;
 
   private:
-    double
-    pressure(const PhreaticLine &line, const Point<dim> &x) const;
+    Heads
+    heads(const PoreWaterRecord &outside) const;
 
-    PhreaticLines     lines;
-    PhreaticLine      line_at_start;
-    double            unit_weight     = 0.;
-    double            largest_suction = 0.;
-    PorePressureOf    pressure_of     = PorePressureOf::place;
-    std::vector<bool> takes_part; // by material
+    double
+    pressure(const Heads &heads, const Point<dim> &x) const;
+
+    /// A reference line, and the numbers of its head lines among `lines`.
+    struct Reference
+    {
+      PhreaticLine line;
+      unsigned int above, below;
+    };
+
+    std::vector<FollowingLine> lines;      // phreatic, then those of heads
+    std::vector<Reference>     references; // from top to bottom
+    PhreaticLine               line_at_start;
+    Heads                      heads_at_start;
+    double                     unit_weight     = 0.;
+    double                     largest_suction = 0.;
+    PorePressureOf             pressure_of     = PorePressureOf::place;
+    std::vector<bool>          takes_part; // by material
   };
 } // namespace Waker
 

@@ -164,6 +164,12 @@ namespace Waker
     /// node's; 0: all do, and what falls on nodes without mass is lost.
     double minimum_support = 0.;
 
+    /// How far the soil has consolidated under it, "degree" or "layer: degree,
+    /// ..." (-); empty: it is not asked. See loads/quick_loads.h.
+    std::string consolidation;
+    /// To the vertical (degrees), for that.
+    double spread = 0.;
+
     /// Does the part that is loaded at the start carry the load for ever?
     /// Automatic: if there is a box, for what is put on soil (vector and
     /// pressure), on a surface that points or vertices can carry. A liquid

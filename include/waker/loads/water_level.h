@@ -54,6 +54,19 @@ namespace Waker
       return stands && rise.varies(from, to);
     }
 
+    /**
+     * The longest step from t on in which the level stays near what it is at t,
+     * and in which a table has no corner.
+     * @param longest step (s)
+     * @param most that the level may change (m)
+     * @param least step (s), whatever the level does
+     */
+    double
+    longest_step(const double t,
+                 const double longest,
+                 const double most,
+                 const double least) const;
+
   private:
     bool         stands;
     double       datum;      // m

@@ -79,7 +79,16 @@ namespace Waker
     /// itself.
     std::string below_line;
 
+    /// K_f (kPa) of the water in the pores of soil that does not drain; 0: it
+    /// drains. See UndrainedSoil.
+    double pore_fluid_stiffness = 0.;
+
+    /// Horizontal over vertical effective stress at rest: a number, an
+    /// expression of the place, or "elastic" or "Jaky".
+    std::string k0 = "elastic";
+
     Regularisation regularisation = Regularisation::softening_length;
+
     /// l_s (m): width of the band that the softening belongs to; 0: a cell,
     /// whatever its size.
     double             softening_length = 0.;
@@ -99,9 +108,18 @@ namespace Waker
     bool
     strength_follows_stress() const;
 
+    /// K0 as an expression of the place and of the law's variables.
+    /// @throws UserError "Materials/<name>/K0": Jaky's without friction
+    std::string
+    k0_expression() const;
+
     /// Is its law one of effective stress (Material::is_of_effective_stress())?
     bool
     is_drained() const;
+
+    /// Poisson's ratio (-) of the soil with its water in it, if it stays.
+    double
+    undrained_poissons_ratio() const;
 
     /// Does its strength grow with pressure?
     bool

@@ -18,6 +18,9 @@ namespace Waker
   {
     double youngs_modulus = 1000.; // kPa
     double poissons_ratio = 0.45;  // -
+    /// Has each point a stiffness ratio of its own? Not the user's to say: a
+    /// random field asks for it.
+    bool varies = false;
 
     double
     shear_modulus() const
@@ -48,6 +51,21 @@ namespace Waker
                   const double youngs_modulus,
                   const double poissons_ratio);
 
+    /// Give the points a variable "stiffness ratio" (-), at first 1: the last
+    /// of all.
+    void
+    let_stiffness_vary()
+    {
+      stiffness_varies = true;
+    }
+
+    std::optional<unsigned int>
+    stiffness_variable() const override
+    {
+      return stiffness_varies ? std::optional<unsigned int>(n_own_variables())
+                              : std::optional<unsigned int>();
+    }
+
     std::vector<MaterialVariable>
     variables() const override;
 
@@ -76,10 +94,30 @@ namespace Waker
     }
 
   protected:
-    /// stress += K tr(strain) 1 + 2 G dev(strain)
+    /// How many variables the law has besides the stiffness ratio.
+    virtual unsigned int
+    n_own_variables() const
+    {
+      return 0;
+    }
+
+    void
+    add_stiffness_ratio(std::vector<MaterialVariable> &variables) const;
+
+    /// Of a point.
+    double
+    stiffness_ratio(const double *variables) const
+    {
+      return stiffness_varies ? variables[n_own_variables()] : 1.;
+    }
+
+    /// stress += ratio (K tr(strain) 1 + 2 G dev(strain))
     void
     add_elastic_stress(const SymmetricTensor<2, 3> &strain_increment,
+                       const double                 ratio,
                        SymmetricTensor<2, 3>       &stress) const;
+
+    bool stiffness_varies = false;
 
     double                rho;
     double                G;

@@ -53,7 +53,8 @@ namespace Waker
       residual_strength, // what softening leaves of the strength; likewise
       dilatancy,         // change of volume by shear
       stiffness,
-      history // what the point has gone through
+      history,    // what the point has gone through
+      coefficient // of the strength at the start: of it alone
     };
 
     std::string  name; // "plastic strain"
@@ -97,6 +98,15 @@ namespace Waker
     /// below. The same name in two materials means the same thing.
     virtual std::vector<MaterialVariable>
     variables() const = 0;
+
+    /// What the initial values of the variables are made of, where these are
+    /// expressions of it (`symbol`), as the S of a SHANSEP soil. The points do
+    /// not keep it, unless a random field varies it. By default there is none.
+    virtual std::vector<MaterialVariable>
+    coefficients() const
+    {
+      return {};
+    }
 
     /// Can a point start with these variables? If not: the number of the first
     /// that is wrong, and what is allowed. By default anything finite is.
@@ -164,16 +174,45 @@ namespace Waker
     virtual void
     update_block(const unsigned int n_points, Block &block) const;
 
+    /// Elastic energy per volume (kPa) of a block's stresses, as they are after
+    /// update_block(). By default that of bulk_modulus() and shear_modulus().
+    virtual void
+    elastic_energy(const Block &block, double (&energy)[block_size]) const;
+
     /// Mass density (Mg/m^3).
     virtual double
     density() const = 0;
 
-    /// Elastic shear and bulk moduli (kPa): wave speed, stable step, energy.
+    /// Elastic shear and bulk moduli (kPa): wave speed, stable step, energy. Of
+    /// a point with a stiffness ratio they are these times the ratio.
     virtual double
     shear_modulus() const = 0;
 
     virtual double
     bulk_modulus() const = 0;
+
+    /// What the water in the pores of undrained soil adds to the bulk modulus
+    /// (kPa). In situ, where the soil has drained, it adds nothing.
+    virtual double
+    pore_fluid_stiffness() const
+    {
+      return 0.;
+    }
+
+    /// Number of the variable that both moduli are multiplied by at a point,
+    /// its "stiffness ratio"; none: they are the same at all points.
+    virtual std::optional<unsigned int>
+    stiffness_variable() const
+    {
+      return {};
+    }
+
+    /// The stiffness ratio below which softening snaps back.
+    virtual double
+    least_stiffness_ratio() const
+    {
+      return 0.;
+    }
 
     /// Is the stress effective: does the water in the ground
     /// (loads/pore_water.h) carry the rest of the total one? By default it is
@@ -207,6 +246,16 @@ namespace Waker
                   const unsigned int *components,
                   double (*tangent)[block_size]) const;
   };
+
+
+  /// Divide n_rows rows of a block's entries by the points' stiffness ratios,
+  /// if they have some.
+  void
+  divide_by_stiffness(const Material        &material,
+                      const unsigned int     n_points,
+                      const Material::Block &block,
+                      const unsigned int     n_rows,
+                      double (*rows)[Material::block_size]);
 } // namespace Waker
 
 #endif

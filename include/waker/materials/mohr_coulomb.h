@@ -125,6 +125,27 @@ namespace Waker
     }
 
     unsigned int
+    n_own_variables() const override
+    {
+      return number_of_softening_strain() + 1;
+    }
+
+    unsigned int
+    n_variables() const
+    {
+      return n_own_variables() + (stiffness_varies ? 1 : 0);
+    }
+
+    /// find_elastic(), of the stresses alone.
+    template <bool varies>
+    void
+    find_trial(const Block &block,
+               double (&trial)[6][block_size],
+               double (&half)[block_size],
+               double (&middle)[block_size],
+               double (&largest)[block_size]) const;
+
+    unsigned int
     number_of_plastic_strain() const
     {
       return softens() ? 6 : 3;
@@ -137,7 +158,7 @@ namespace Waker
       return number_of_plastic_strain() + (measure.is_local() ? 0 : 2);
     }
 
-    static constexpr unsigned int most_variables = 9;
+    static constexpr unsigned int most_variables = 10;
 
     /// The elastic stresses (kPa) of a block's points, and which of these stay
     /// as they are: surely, of others it is not known.
@@ -173,6 +194,13 @@ namespace Waker
     std::string residual_friction  = "friction_angle";
     std::string residual_dilatancy = "dilatancy_angle";
     double      softening_strain   = 0.; // -
+    /// Shear strength by normal stress, "0: 2, 50: 30, ..." (kPa), instead of
+    /// cohesion and friction angle; empty: these.
+    std::string strength_table;
+
+    /// Is the strength a table (ShearStrengthTable)?
+    bool
+    has_table() const;
 
     void
     add_parameters(ParameterHandler &prm);

@@ -36,23 +36,32 @@ namespace Waker
     /// the strengths are the points' default, each point has its own
     /// @param overconsolidation_ratio at the start, if the strength knows it
     /// @param measure of the plastic strain that softens
+    /// @param coefficients that the four initial values may be expressions of
     VonMisesSoftening(
-      const double                       density,
-      const double                       youngs_modulus,
-      const double                       poissons_ratio,
-      const InitialValue                &initial_strength,
-      const InitialValue                &residual_strength,
-      const double                       softening_modulus,
-      const Invariant                    invariant = Invariant::equivalent,
-      const std::optional<InitialValue> &overconsolidation_ratio = {},
-      const SofteningMeasure            &measure                 = {});
+      const double                         density,
+      const double                         youngs_modulus,
+      const double                         poissons_ratio,
+      const InitialValue                  &initial_strength,
+      const InitialValue                  &residual_strength,
+      const double                         softening_modulus,
+      const Invariant                      invariant = Invariant::equivalent,
+      const std::optional<InitialValue>   &overconsolidation_ratio = {},
+      const SofteningMeasure              &measure                 = {},
+      const std::vector<MaterialVariable> &coefficients            = {});
 
     /// "undrained shear strength" (now, kPa), "residual strength" (kPa),
     /// "plastic strain" (-), "overconsolidation ratio" (-) if it is known, and
-    /// the two of softening_history() if softening is not local.
+    /// the two of softening_history() if softening is not local; of soil whose
+    /// stiffness varies, its ratio.
     /// The residual strength may be an expression of "initial_strength".
     std::vector<MaterialVariable>
     variables() const override;
+
+    std::vector<MaterialVariable>
+    coefficients() const override
+    {
+      return strength_coefficients;
+    }
 
     std::optional<std::pair<unsigned int, std::string>>
     initial_problem(const std::vector<double> &variables) const override;
@@ -85,14 +94,35 @@ namespace Waker
                   const unsigned int *components,
                   double (*tangent)[block_size]) const override;
 
+    double
+    least_stiffness_ratio() const override;
+
   private:
+    unsigned int
+    n_own_variables() const override
+    {
+      return (overconsolidation_ratio ? 4 : 3) + (measure.is_local() ? 0 : 2);
+    }
+
+    template <bool varies>
+    void
+    update_lanes(Block &block) const;
+
+    template <bool varies>
+    void
+    tangent_lanes(Block              &block,
+                  const unsigned int  n_components,
+                  const unsigned int *components,
+                  double (*tangent)[block_size]) const;
+
     InitialValue initial_strength;
     InitialValue residual_strength;
     double       plastic_strain_factor; // invariant / equivalent plastic strain
     double       softening; // dc / d(equivalent plastic strain) in a step, kPa
-    std::optional<InitialValue> overconsolidation_ratio;
-    SofteningMeasure            measure;
-    double                      softening_modulus; // H_s, kPa
+    std::optional<InitialValue>   overconsolidation_ratio;
+    SofteningMeasure              measure;
+    double                        softening_modulus; // H_s, kPa
+    std::vector<MaterialVariable> strength_coefficients;
   };
 
   constexpr const char *

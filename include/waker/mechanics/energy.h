@@ -29,8 +29,8 @@ namespace Waker
   /**
    * The energy of a run, in kJ (per m in 2D), summed over its steps. Every
    * term is computed on its own, none as the rest of the others, so that
-   *   kinetic + (elastic - elastic_start) + dissipation + ramp_work
-   *     + mapping_loss = gravity_work + load_work + support_work
+   *   kinetic + (elastic - elastic_start) + dissipation + friction
+   *     + ramp_work + mapping_loss = gravity_work + load_work + support_work
    *     + inflow - outflow + remainder
    * leaves a remainder that measures the method: the accuracy of Newton, the
    * trapezoidal rule in yielding points, the strain of mid-step.
@@ -41,7 +41,8 @@ namespace Waker
     double elastic_start = 0.;
     double kinetic       = 0.;
     double elastic       = 0.;
-    double dissipation   = 0.;
+    double dissipation   = 0.; // plastic
+    double friction      = 0.; // of soil that slides along walls
     double ramp_work     = 0.;
     double mapping_loss  = 0.;
     double gravity_work  = 0.; // potential energy released
@@ -54,8 +55,8 @@ namespace Waker
     remainder() const
     {
       return (kinetic - kinetic_start) + (elastic - elastic_start) +
-             dissipation + ramp_work + mapping_loss - gravity_work - load_work -
-             support_work - inflow + outflow;
+             dissipation + friction + ramp_work + mapping_loss - gravity_work -
+             load_work - support_work - inflow + outflow;
     }
 
     /// Take in a step.
@@ -68,8 +69,8 @@ namespace Waker
     serialize(Archive &archive, const unsigned int)
     {
       archive &kinetic_start &elastic_start &kinetic &elastic &dissipation
-        &ramp_work &mapping_loss &gravity_work &load_work &support_work &inflow
-          &outflow;
+        &friction &ramp_work &mapping_loss &gravity_work &load_work
+          &support_work &inflow &outflow;
     }
   };
 } // namespace Waker

@@ -20,7 +20,8 @@ namespace Waker
   {
     newmark,
     explicit_steps,
-    quasi_static
+    quasi_static,
+    static_at_rest // quasi-static until it moves, then Newmark
   };
 
   constexpr const char *
@@ -34,6 +35,8 @@ namespace Waker
           return "explicit";
         case Scheme::quasi_static:
           return "quasi-static";
+        case Scheme::static_at_rest:
+          return "quasi-static at rest";
       }
     return nullptr;
   }
@@ -59,6 +62,12 @@ namespace Waker
     /// Quasi-static: stiffness of nodes that are hardly touched (see
     /// mechanics/ghost_stiffness.h), as a share of K + 4G/3; 0: none.
     double ghost_stiffness = 1e-4;
+    /// Quasi-static at rest: longest step (s), and in it the largest change of
+    /// the water's level (m) and the largest displacement of soil that rests
+    /// (m).
+    double longest_step         = 300.;
+    double largest_rise         = 0.05;
+    double largest_displacement = 0.01;
 
     void
     add_parameters(ParameterHandler &prm);

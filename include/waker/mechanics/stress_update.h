@@ -26,6 +26,13 @@ namespace Waker
   declare_material_variables(const Materials     &materials,
                              MaterialPoints<dim> &points);
 
+  /// The moduli of point p over those of its material (-).
+  template <int dim>
+  double
+  stiffness_ratio(const MaterialPoints<dim> &points,
+                  const Materials           &materials,
+                  const std::size_t          p);
+
   /// Elastic energy of the points' stresses (kJ).
   template <int dim>
   double

@@ -30,10 +30,11 @@ namespace Waker
     // Work and energy of the step, kJ (per m in 2D). See mechanics/energy.h.
     double gravity_work   = 0.;
     double load_work      = 0.; // of the external force other than weight
-    double support_work   = 0.; // of moving supports
+    double support_work   = 0.; // of supports that move or give way
     double ramp_work      = 0.; // withheld by the residual ramp
     double mapping_loss   = 0.; // of kinetic energy, points <-> nodes
     double dissipation    = 0.; // plastic
+    double friction       = 0.; // lost by sliding along walls
     double kinetic_energy = 0.; // of the points at the end
     double elastic_energy = 0.; // at the end
 
@@ -61,6 +62,9 @@ namespace Waker
     bool is_implicit = true;
     /// Does the material move, or do only its stresses change?
     bool moves_points = true;
+    /// Is it left to long quasi-static steps (make_scheme_at_rest()) while the
+    /// body rests?
+    bool has_long_steps = false;
     /// Share of the force at the start of a step in its impulse; the rest is
     /// that of the force which the step ends with.
     double start_of_impulse = 0.5;
@@ -185,10 +189,23 @@ namespace Waker
   std::unique_ptr<TimeScheme<dim>>
   make_quasi_static(const SchemeInput<dim> &input);
 
-  /// The one that `input.time` asks for.
+  /// The one that `input.time` asks for; of one with long steps that of a body
+  /// that moves.
   template <int dim>
   std::unique_ptr<TimeScheme<dim>>
   make_time_scheme(const SchemeInput<dim> &input);
+
+  /**
+   * The long steps of a scheme that has them (SchemeTraits), else nothing:
+   * quasi-static, of a body that comes from motion and may go on to it. A step
+   * that takes soil further than TimeParameters::largest_displacement has not
+   * converged: where the next balance is far, there is none on the way. After
+   * a step the points have neither velocity nor acceleration; the kinetic
+   * energy that they had before counts as mapping loss.
+   */
+  template <int dim>
+  std::unique_ptr<TimeScheme<dim>>
+  make_scheme_at_rest(const SchemeInput<dim> &input);
 
   /// The residual ramp r(t): from 0 at t = 0 to 1 at `duration`; 1 without.
   double

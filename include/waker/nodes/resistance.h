@@ -5,6 +5,7 @@
 #include <waker/nodes/nodal_state.h>
 #include <waker/particles/material_points.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace Waker
@@ -14,12 +15,14 @@ namespace Waker
   {
     double start = 0.; // of the forces at its start
     double end   = 0.; // at its end
+    double lost  = 0.; // of their mean: by friction, 0 or more
 
     ResistanceWork &
     operator+=(const ResistanceWork &other)
     {
       start += other.start;
       end += other.end;
+      lost += other.lost;
       return *this;
     }
 
@@ -99,6 +102,15 @@ namespace Waker
       return true;
     }
 
+    /// Does its force end where a gap opens, or bend where something begins to
+    /// slide? Then Newton's method watches its steps, and the gravity step of
+    /// an elastic body is no linear one.
+    virtual bool
+    has_corners() const
+    {
+      return false;
+    }
+
     /// Take the step: what is carried to the next one, by itself or by the
     /// points.
     /// @return its force on the body as a support (kN)
@@ -114,6 +126,19 @@ namespace Waker
   /// Those of one body. They must outlive the list.
   template <int dim>
   using Resistances = std::vector<Resistance<dim> *>;
+
+
+  /// Has one of them corners?
+  template <int dim>
+  bool
+  have_corners(const Resistances<dim> &resistances)
+  {
+    return std::any_of(resistances.begin(),
+                       resistances.end(),
+                       [](const Resistance<dim> *const resistance) {
+                         return resistance->has_corners();
+                       });
+  }
 } // namespace Waker
 
 #endif

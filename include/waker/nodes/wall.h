@@ -5,6 +5,8 @@
 #include <waker/base/expression.h>
 #include <waker/grid/background_grid.h>
 #include <waker/nodes/resistance.h>
+#include <waker/nodes/wall_gaps.h>
+#include <waker/nodes/wall_law.h>
 #include <waker/nodes/wall_parameters.h>
 
 #include <string>
@@ -17,16 +19,20 @@ namespace Waker
    * a surface which crosses the cells.
    *
    * A wall is a bed of springs between soil and wall, of stiffness
-   * k = f (K + 4G/3) / h per area, f the penalty factor, in all directions
-   * (rough) or along the normal (smooth). Weak form: the sum over the spots q,
-   * small pieces of the wall that move with it, of
-   *   N_i(x_q) (t_q - k (sum_j N_j(x_q) u_j - g)) A_q,
-   * u and g the displacements of soil and wall in the step. The traction t_q
-   * is carried from step to step: t_q <- t_q - k (sum_j N_j u_j - g), so that a
-   * loaded wall does not creep. A wall holds: soil that touches it can be
-   * pulled.
+   * k = f (K + 4G/3) / h per area, f the penalty factor. Weak form: the sum
+   * over the spots q, small pieces of the wall that move with it, of
+   *   N_i(x_q) t_q(w_q) A_q,   w_q = sum_j N_j(x_q) u_j - g,
+   * u and g the displacements of soil and wall in the step, t_q the traction of
+   * the law (WallLaw): rough, smooth or frictional. It is carried from step to
+   * step, so that a loaded wall does not creep. Rough and smooth walls hold:
+   * soil that touches them can be pulled. A frictional one pushes only.
    *
-   * A spot acts where there is soil: if the share of a full node's mass, the
+   * A spot of a frictional wall acts where the soil is less than half a cell
+   * away, by the support domains of the points (WallGaps): once it has closed
+   * the gap. While it carries a pressure it needs no gap to be known, and keeps
+   * it until the soil is pulled away or has gone.
+   *
+   * Others act where there is soil: if the share of a full node's mass, the
    * nodes' linear interpolation, is at least contact_share. On a flat surface
    * that share is 0.45 to 0.55, by its place on the grid, at an edge of 90
    * degrees the square of that and at a corner its cube: the least of these is
@@ -49,6 +55,9 @@ namespace Waker
   public:
     static constexpr double contact_share = dim == 2 ? 0.2 : 0.09;
     static constexpr double weak_share    = 1e-6;
+    /// Soil that a frictional wall may meet in a step, and soil that has gone
+    /// though the spot has not felt it go: gaps, in cells.
+    static constexpr double reach = 0.5, lost = 0.25;
 
     /// What a wall carries from step to step, and a state keeps: tractions on
     /// the soil (kPa) in all spots.
@@ -77,13 +86,32 @@ namespace Waker
     }
 
     /// Where the walls stand at time t (s) and which of their spots touch soil.
+    /// @param points of which node_mass is
     /// @param tractions of the spots; those without contact are set to zero.
     ///        accept() writes those at the end of a step here: they must live
     ///        until then.
     void
-    reinit(const std::vector<double> &node_mass,
+    reinit(const MaterialPoints<dim> &points,
+           const std::vector<double> &node_mass,
            const double               t,
            Tractions                 &tractions);
+
+    /// As the soil lies at the start.
+    /// @throws UserError "Walls/<name>/Line" if it lies behind a frictional
+    ///         wall
+    void
+    check_start() const;
+
+    /// The numbers of those that no soil touches.
+    std::vector<unsigned int>
+    idle() const;
+
+    /// Can soil slide along one of them against friction?
+    bool
+    have_friction() const
+    {
+      return !one_sided.empty();
+    }
 
     /// The step from t to t + dt, in which the walls move from u(t) to
     /// u(t + dt). Without it they stand still.
@@ -123,6 +151,15 @@ namespace Waker
     add_start_force(NodalVector &internal) override;
 
     void
+    linearise() override;
+
+    bool
+    has_corners() const override;
+
+    bool
+    is_symmetric() const override;
+
+    void
     vmult_add(NodalVector &dst, const NodalVector &src) const override;
 
     void
@@ -148,6 +185,7 @@ namespace Waker
       Tensor<1, dim> normal;    // into the soil
       double         area;      // m^(dim-1)
       bool           touches;   // soil
+      double         gap;       // to the soil, m, of a frictional wall
     };
 
     const std::vector<Spot> &
@@ -165,27 +203,41 @@ namespace Waker
   private:
     struct Wall
     {
-      bool                         smooth;
-      double                       stiffness; // k, kPa/m
-      std::vector<Expression<dim>> motion;    // none: at rest
-      Tensor<1, dim>               target;    // g of the step, m
+      WallLaw<dim>                 law;
+      std::vector<Expression<dim>> motion; // none: at rest
+      Tensor<1, dim>               target; // g of the step, m
     };
 
     /// A spot with soil: its nodes are nodes[begin..end).
     struct Contact
     {
-      std::size_t    spot;
-      std::size_t    begin, end;
-      Tensor<1, dim> traction; // at the start of the step, kPa
+      std::size_t                  spot;
+      std::size_t                  begin, end;
+      typename WallLaw<dim>::Start start;
+      Tensor<1, dim>               motion;     // w of the last force, m
+      Tensor<2, dim>               derivative; // kPa/m
     };
 
     /// Displacement of a wall at t (m).
     Tensor<1, dim>
     displacement(const Wall &wall, const double t) const;
 
+    /// The gaps of the frictional walls' spots.
+    void
+    find_gaps(const MaterialPoints<dim> &points);
+
+    /// Is there soil at a spot that may carry a traction already? By its gap;
+    /// `share` is that of a full node's mass.
+    bool
+    has_soil(const Spot           &spot,
+             const double          share,
+             const Tensor<1, dim> &traction) const;
+
     /// Append the nodes and weights of a spot. False if it has no soil.
     bool
-    find_nodes(const Spot &spot, const std::vector<double> &node_mass);
+    find_nodes(const Spot                &spot,
+               const std::vector<double> &node_mass,
+               const Tensor<1, dim>      &traction);
 
     /// Give the weight of a node without mass to those behind it.
     void
@@ -199,9 +251,15 @@ namespace Waker
     Tensor<1, dim>
     value(const Contact &contact, const NodalVector &u) const;
 
-    /// What springs of unit stiffness answer to a displacement.
+    const WallLaw<dim> &
+    law(const Contact &contact) const
+    {
+      return walls[spots[contact.spot].wall].law;
+    }
+
+    /// w: the motion of soil relative to the wall (m).
     Tensor<1, dim>
-    held(const Spot &spot, const Tensor<1, dim> &u) const;
+    motion(const Contact &contact, const NodalVector &increment) const;
 
     /// internal -= a traction's share
     void
@@ -222,6 +280,11 @@ namespace Waker
     std::vector<unsigned int>  nodes;             // of the contacts
     std::vector<double>        weights;           // likewise
     Tractions                 *carried = nullptr; // from step to step
+    bool                       slides  = false;   // in the derivative
+    // Of frictional walls:
+    std::vector<std::size_t> one_sided; // numbers of their spots
+    WallGaps<dim>            wall_gaps;
+    std::vector<double>      gaps; // of one_sided, m
   };
 } // namespace Waker
 

@@ -16,8 +16,9 @@ namespace Waker
   /// How a wall holds the soil.
   enum class WallType
   {
-    rough, // it sticks
-    smooth // it may slide along the wall
+    rough,     // it sticks
+    smooth,    // it may slide along the wall
+    frictional // it may slide, against friction, and leave the wall
   };
 
   constexpr const char *
@@ -29,6 +30,8 @@ namespace Waker
           return "rough";
         case WallType::smooth:
           return "smooth";
+        case WallType::frictional:
+          return "frictional";
       }
     return nullptr;
   }
@@ -49,6 +52,15 @@ namespace Waker
     std::string displacement;
     /// Stiffness of the penalty, as a multiple of (K + 4G/3) / h.
     double penalty_factor = 100.;
+    /// Of a frictional wall, that carries a shear traction of up to
+    /// mu p + a under the pressure p: mu, or its angle in degrees, and a (kPa).
+    double friction_coefficient = 0.;
+    double friction_angle       = 0.;
+    double adhesion             = 0.;
+
+    /// mu
+    double
+    friction() const;
 
     void
     add_parameters(ParameterHandler &prm);

@@ -4,6 +4,9 @@
 
 #include <deal.II/base/point.h>
 
+#include <waker/grid/background_grid.h>
+#include <waker/nodes/wall_parameters.h>
+
 #include <string>
 #include <vector>
 
@@ -35,6 +38,18 @@ namespace Waker
   make_wall_spots(const std::string &line,
                   const double       size,
                   const std::string &path);
+
+  /**
+   * The faces of the grid's box along which walls that stand still lie: nothing
+   * passes there, and water does not come between.
+   *
+   * @return bit 2d for the lower, 2d + 1 for the upper face in direction d, as
+   *         Fixities::closed_faces()
+   */
+  template <int dim>
+  unsigned int
+  faces_along_walls(const BackgroundGrid<dim>         &grid,
+                    const std::vector<WallParameters> &walls);
 } // namespace Waker
 
 #endif

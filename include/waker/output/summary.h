@@ -76,6 +76,11 @@ namespace Waker
     std::uint64_t newton_iterations = 0;
     std::uint64_t linear_iterations = 0;
     std::uint64_t unconverged_steps = 0;
+    /// Of a scheme with long steps (LongSteps): their number, the time that
+    /// they took together (s), and how often the dyke moved in between.
+    std::optional<std::uint64_t> long_steps;
+    std::optional<double>        time_at_rest;
+    std::optional<std::uint64_t> motions;
     /// None if there was no case: its gravity step did not converge.
     std::optional<std::uint64_t> particles;
     /// Tractions that at some time had no surface left to load.

@@ -24,6 +24,8 @@ namespace Waker
     std::vector<std::string> materials;       // Materials/Names
     std::vector<std::string> layers;          // Soil profile/Layers
     std::vector<std::string> conditions;      // Boundary conditions/Names
+    std::vector<std::string> head_lines;      // Head lines/Names
+    std::vector<std::string> reference_lines; // Reference lines/Names
     std::vector<std::string> tractions;       // Tractions/Names
     std::vector<std::string> point_loads;     // Point loads/Names
     std::vector<std::string> load_programmes; // Load programmes/Names

@@ -71,12 +71,23 @@ namespace Waker
     void
     measure();
 
+    /// Of the next step.
+    TimeScheme<dim> &
+    scheme() const
+    {
+      return control.is_long() ? *scheme_at_rest : *scheme_in_motion;
+    }
+
+    /// The step that it wants (s).
+    double
+    wanted_step() const;
+
     /// The last time at which any load changes (s), as known by now.
     double
     last_load_change() const;
 
     void
-    make_scheme();
+    make_schemes();
 
     /// What the ranks tell each other after a step.
     void
@@ -99,8 +110,9 @@ namespace Waker
     /// If sliding masses are watched.
     std::optional<SlidingMassFinder<dim>> slides;
     StepControl<dim>                      control;
-    std::unique_ptr<TimeScheme<dim>>      scheme;
-    StepReport<dim>                       report; // of the last step
+    std::unique_ptr<TimeScheme<dim>>      scheme_in_motion;
+    std::unique_ptr<TimeScheme<dim>>      scheme_at_rest; // or none
+    StepReport<dim>                       report;         // of the last step
   };
 } // namespace Waker
 

@@ -11,6 +11,10 @@ namespace Waker
    * The length of a realisation's steps, and the count of its work: a step that
    * does not converge is tried again with half the length; after some steps
    * that do, the length is doubled again. Both are kept in the state.
+   *
+   * With a scheme that has long steps (SchemeTraits) it also says which steps
+   * come: long ones until even the shortest of them does not converge; then the
+   * body moves, until it has been at rest for a while (try_long_steps()).
    */
   template <int dim>
   class StepControl
@@ -24,19 +28,32 @@ namespace Waker
     double
     next(const double wanted) const;
 
+    /// Is the next step a long one?
+    bool
+    is_long() const
+    {
+      return state->long_steps.active;
+    }
+
+    /// The body has been at rest for this time (s): a long step may be tried,
+    /// the shortest first. Where they have failed, only after a longer rest.
+    void
+    try_long_steps(const double rest_duration);
+
     /**
      * Solve a step, shorter and shorter until that converges.
+     * @param wanted the step that the scheme of now wants (s), when asked
      * @param attempt solves a step of the given length (s), returns its report
      * @return the length (s)
      * @throws NumericalFailure if the smallest one does not converge
      */
-    template <typename Attempt>
+    template <typename Wanted, typename Attempt>
     double
-    solve(const double wanted, const Attempt &attempt)
+    solve(const Wanted &wanted, const Attempt &attempt)
     {
       while (true)
         {
-          const double           dt     = next(wanted);
+          const double           dt     = next(wanted());
           const StepReport<dim> &report = attempt(dt);
           count(report);
           if (report.converged)
@@ -56,7 +73,11 @@ namespace Waker
     void
     halve(const double dt, const StepReport<dim> &report);
 
+    void
+    leave_long_steps();
+
     const TimeParameters *parameters;
+    bool                  has_long_steps;
     State<dim>           *state;
   };
 } // namespace Waker

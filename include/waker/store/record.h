@@ -22,6 +22,16 @@ namespace Waker
     double height; // H, m
   };
 
+  /// A random field of a realisation at t = 0.
+  struct FieldSummary
+  {
+    std::string name;
+    /// Normal score of its average, as a random variable; NaN: it has none.
+    double average_score;
+    double mean; // by mass, of the property's unit
+    double least;
+  };
+
   /**
    * What a campaign keeps of one realisation: one line of JSON in a journal.
    * Times are -1 if the event did not occur. Members that the lines of earlier
@@ -57,6 +67,9 @@ namespace Waker
 
     double mean_strength  = 0.; // mass average of the first random field
     double least_strength = 0.;
+    /// Of all random fields, in their order; empty if there is one alone,
+    /// without an average of its own.
+    std::optional<std::vector<FieldSummary>> random_fields;
 
     std::uint64_t steps             = 0;
     std::uint64_t newton_iterations = 0;

@@ -70,6 +70,8 @@ namespace Waker
     json_of(const SlidingMasses &sliding, const PlausibleRange &);
     Json
     json_of(const std::vector<TracePoint> &trace, const PlausibleRange &);
+    Json
+    json_of(const std::vector<FieldSummary> &fields, const PlausibleRange &);
 
     /// @throws std::runtime_error with `key` if it is of another kind, or
     /// outside the range
@@ -78,6 +80,11 @@ namespace Waker
          const char           *key,
          const PlausibleRange &range,
          double               &value);
+    void
+    read(const Json &json,
+         const char *key,
+         const PlausibleRange &,
+         std::vector<FieldSummary> &fields);
     void
     read(const Json           &json,
          const char           *key,
@@ -222,6 +229,9 @@ namespace Waker
 
       void
       add(const SlidingMasses &sliding);
+
+      void
+      add(const std::vector<FieldSummary> &fields);
 
       void
       add(const std::vector<TracePoint> &trace);

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/errors.h>
+#include <waker/base/numbers.h>
+#include <waker/base/places.h>
+#include <waker/case/k0_stress.h>
+#include <waker/case/parameters.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace Waker
+{
+  namespace
+  {
+    /// Further from the yield surface than this, of a stress: round-off.
+    constexpr double round_off = 1e-9, least_stress = 1e-9; // -, kPa
+    /// Beyond this K0 is looked for no further.
+    constexpr double largest_k0 = 1e3;
+
+
+    /// K0 and a law at one place.
+    struct AtRest
+    {
+      const Material     &material;
+      std::vector<double> variables;
+      double              vertical; // sigma'_v, kPa
+      double              pressure; // of water that the law knows of, kPa
+
+      SymmetricTensor<2, 3>
+      stress(const double k0) const
+      {
+        SymmetricTensor<2, 3> result;
+        for (unsigned int d = 0; d < 3; ++d)
+          result[d][d] = -(d == 1 ? 1. : k0) * vertical - pressure;
+        return result;
+      }
+
+      /// How far it lies outside the yield surface (kPa).
+      double
+      excess(const double k0) const
+      {
+        const SymmetricTensor<2, 3> start = stress(k0);
+        SymmetricTensor<2, 3>       end   = start;
+        std::vector<double>         after = variables;
+        material.update(SymmetricTensor<2, 3>(), end, after.data(), nullptr);
+        return (end - start).norm();
+      }
+
+      bool
+      is_borne(const double k0) const
+      {
+        return excess(k0) <= round_off * stress(k0).norm() + least_stress;
+      }
+
+      /// The K0 furthest from `inside` towards `outside` that is borne.
+      double
+      limit(double inside, double outside) const
+      {
+        if (is_borne(outside))
+          return outside;
+        for (unsigned int i = 0; i < 60; ++i)
+          {
+            const double middle                   = 0.5 * (inside + outside);
+            (is_borne(middle) ? inside : outside) = middle;
+          }
+        return inside;
+      }
+    };
+
+
+    std::string
+    allowed_k0(const AtRest &at_rest)
+    {
+      if (!at_rest.is_borne(1.))
+        return "more strength, or Initial stress/From = gravity: no K0 is borne "
+               "there";
+      const double       low  = at_rest.limit(1., 0.);
+      const double       high = at_rest.limit(1., largest_k0);
+      std::ostringstream text;
+      text.precision(4);
+      text
+        << "from " << low << " to " << high
+        << " there (in a drained soil the coefficients of active and passive "
+           "earth pressure), or more strength";
+      return text.str();
+    }
+  } // namespace
+
+
+  template <int dim>
+  void
+  set_k0_stress(const std::vector<MaterialParameters> &parameters,
+                const Materials                       &materials,
+                const Ground<dim>                     &ground,
+                const PoreWater<dim>                  &pore_water,
+                const std::vector<unsigned int>       &layers,
+                MaterialPoints<dim>                   &points)
+  {
+    ground.require_stress("Initial stress/From", "is K0", "gravity");
+    for (unsigned int m = 0; m < parameters.size(); ++m)
+      {
+        const Material   &law  = *materials[m];
+        const std::string path = "Materials/" + parameters[m].name + "/K0";
+        const std::string text = parameters[m].k0_expression();
+        const auto        list = law.variables();
+        std::vector<int>  arrays, known; // of the variables, of those named
+        std::vector<std::string> symbols;
+        for (const MaterialVariable &variable : list)
+          {
+            arrays.push_back(points.find_scalar(variable.name));
+            if (variable.symbol.empty())
+              continue;
+            known.push_back(arrays.back());
+            symbols.push_back(variable.symbol);
+          }
+        const PlaceExpression<dim> k0(text, path, symbols, ", or a number");
+        ground.check(k0, path);
+        for (std::size_t p = 0; p < points.n_points(); ++p)
+          {
+            if (points.material[p] != m)
+              continue;
+            const Point<dim>   &x     = points.initial_position[p];
+            const InGround      place = ground.at(x, layers[p]);
+            std::vector<double> values;
+            for (const int array : known)
+              values.push_back(points.scalars[array].values[p]);
+            const double       factor = k0.value(x, place, values);
+            std::ostringstream what;
+            what.precision(4);
+            what << "is " << factor << " at the point " << place_text(x)
+                 << " m, where the effective vertical stress is "
+                 << place.vertical_stress << " kPa";
+            if (!(factor >= 0. && factor <= largest_k0))
+              throw UserError(path,
+                              what.str(),
+                              "from 0 to 1000; soils have 0.3 to 2");
+            if (place.vertical_stress < -least_stress)
+              throw UserError("Initial stress/From",
+                              "is K0, but " + what.str().substr(what.str().find(
+                                                "at the point")),
+                              "soil that is heavy enough not to float up "
+                              "(Saturated unit weight), or gravity");
+            AtRest at_rest{law,
+                           {},
+                           place.vertical_stress,
+                           law.is_of_effective_stress() || pore_water.empty()
+                             ? 0.
+                             : pore_water.pressure(x)};
+            for (const int array : arrays)
+              at_rest.variables.push_back(points.scalars[array].values[p]);
+            if (!at_rest.is_borne(factor))
+              {
+                what << ": this stress lies " << at_rest.excess(factor)
+                     << " kPa outside the yield surface";
+                throw UserError(path, what.str(), allowed_k0(at_rest));
+              }
+            points.stress[p] = at_rest.stress(factor);
+          }
+      }
+  }
+
+
+  template void
+  set_k0_stress(const std::vector<MaterialParameters> &,
+                const Materials &,
+                const Ground<2> &,
+                const PoreWater<2> &,
+                const std::vector<unsigned int> &,
+                MaterialPoints<2> &);
+  template void
+  set_k0_stress(const std::vector<MaterialParameters> &,
+                const Materials &,
+                const Ground<3> &,
+                const PoreWater<3> &,
+                const std::vector<unsigned int> &,
+                MaterialPoints<3> &);
+} // namespace Waker

@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is measured of a slide under water, and the same without any water.
+
+Shared by submerged_slide.py here and in contrib/verification.
+"""
+
+import numpy as np
+
+CASE = "verification/slope_sliding_submerged.prm"
+# Masses and forces are those under water: gravity and weight are halved.
+BUOYANT = {"Materials/soil/Unit weight": 10, "Gravity/Acceleration": 4.905,
+           "Tractions/Names": "", "Pore water/Phreatic line": ""}
+
+
+def reach(points):
+    """Where 99 % of the soil lies behind (m), and its centre (m)."""
+    x, mass = points["position"][:, 0], points["mass"]
+    order = np.argsort(x)
+    behind = np.cumsum(mass[order]) / mass.sum()
+    return (float(x[order][np.searchsorted(behind, 0.99)]),
+            float((x * mass).sum() / mass.sum()))
