@@ -107,12 +107,12 @@ namespace Waker
                       scene.set_end_loads(*state,
                                           t + tried); // weight, water, loads
                       // 2.23 with 2.28, or 2.34
-                      return report =
-                               scheme().solve(points, t, tried, nodes);
+                      return report = scheme().solve(points, t, tried, nodes);
                     });
     // Stress and motion: 2.33, 2.38-2.40, or 2.35-2.37
     scheme().to_points(t, dt, nodes, points, report);
-    report.held_domains    = carried.move(nodes, points, *state); // domains, surfaces
+    report.held_domains =
+      carried.move(nodes, points, *state); // domains, surfaces
     state->settlement_rate = settlements.largest(points) / dt;
     if (part)
       end_step_on_ranks();
