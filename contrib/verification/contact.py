@@ -8,10 +8,10 @@
 
 import math
 
-import friction_measures as measures
 import numpy as np
 from common import plt, save
 from dyke_runs import draw_points, option, workspace, write_csv
+import friction_measures as measures
 
 GRAVITY, TAN_SLOPE = 9.81, 0.5
 ALONG = np.array([2.0, -1.0]) / math.sqrt(5.0)

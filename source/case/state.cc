@@ -18,7 +18,7 @@ namespace Waker
   namespace
   {
     /// Raised when what is stored changes.
-    constexpr unsigned int this_layout = 2;
+    constexpr unsigned int this_layout = 3;
 
 
     // Doubles and tensors of doubles: their bytes are their value.

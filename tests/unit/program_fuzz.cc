@@ -56,6 +56,22 @@ subsection Boundary conditions
     set Displacement = 0.001*t; free
   end
 end
+subsection Pore water
+  set Phreatic line = -1, -1; 5, -1
+end
+subsection Head lines
+  set Names = aquifer
+  subsection aquifer
+    set Line = -1, -1; 5, -1
+  end
+end
+subsection Reference lines
+  set Names = ground
+  subsection ground
+    set Line             = -1, -1.5; 5, -1.5
+    set Bottom head line = aquifer
+  end
+end
 subsection Tractions
   set Names = wind
   subsection wind
@@ -195,6 +211,8 @@ end
                          {{"clay"},
                           {"dyke"},
                           {"base", "side"},
+                          {"aquifer"},
+                          {"ground"},
                           {"wind"},
                           {"man"},
                           {"grows"},

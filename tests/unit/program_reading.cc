@@ -204,6 +204,9 @@ namespace program_reading
                        "Load programmes/<name>/From=0.2",
                        "Load programmes/<name>/To=0.5",
                        "Load programmes/<name>/Rate=0.1",
+                       "Pore water/Phreatic line=0, 0; 1, 0",
+                       "Head lines/<name>/Line=0, 0; 1, 0",
+                       "Reference lines/<name>/Line=0, 0; 1, 0",
                        "Walls/<name>/Line=0, 0; 1, 0",
                        "Inflow/<name>/Material=<name>",
                        "Inflow/<name>/Velocity=1"});

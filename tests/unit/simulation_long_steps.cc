@@ -351,14 +351,14 @@ namespace simulation_long_steps
 
   TEST(LongSteps, begin_with_short_ones_if_the_soil_moves)
   {
-    for (const char *const velocity : {"0, 0", "0, -0.1"})
+    for (const char *const velocity : {"0; 0", "0; -0.1"})
       {
         const auto input =
           coarse(with(settings(100., "0", 10.),
                       {std::string("Soil profile/dyke/Velocity=") + velocity}));
         const Case<2> the_case(input->simulation, MPI_COMM_SELF);
         EXPECT_EQ(initial_state(the_case).long_steps.active,
-                  std::string(velocity) == "0, 0");
+                  std::string(velocity) == "0; 0");
       }
   }
 

@@ -116,7 +116,7 @@ namespace simulation_sizes
                    "steps between the two factors");
     expect_refusal({"Walls/Names=w", "Walls/w/Line=0, 1; 1e12, 1", coarser},
                    "Walls/w/Line",
-                   "8e+12 spots on a wall");
+                   "2e+12 spots on a wall");
     expect_refusal({"Point loads/Names=p",
                     "Point loads/p/From=155000, 5",
                     "Point loads/p/Force=0, -1",
