@@ -3,7 +3,7 @@
 """Figures, data and numbers of doc/verification/contact.md; runs the program.
 
     /usr/bin/python3 contrib/verification/contact.py [--waker build/bin/waker]
-        [--only block,toe,pile]
+        [--only block,toe]
 """
 
 import math
@@ -11,7 +11,6 @@ import math
 import numpy as np
 from common import plt, save
 from dyke_runs import draw_points, option, workspace, write_csv
-import friction_measures as measures
 
 GRAVITY, TAN_SLOPE = 9.81, 0.5
 ALONG = np.array([2.0, -1.0]) / math.sqrt(5.0)
@@ -24,12 +23,19 @@ def acceleration(mu):
     return GRAVITY * cosine * max(0.0, TAN_SLOPE - mu)
 
 
+def speed(run, times):
+    """Of the block's centre of mass down the slope (m/s)."""
+    momentum = np.array([run.value(f"Momentum {x} (kN s)", times)
+                         for x in "xy"])
+    return ALONG @ momentum / (20.0 * 2.0 / GRAVITY)
+
+
 def block(work):
     """A block on a slope of 1 : 2, with friction above and below tan(beta)."""
     figure, axes = plt.subplots()
     columns = {name: [] for name in
-               ("mu", "cell_m", "time_s", "way_m", "expected_m", "friction_kJ",
-                "remainder_kJ")}
+               ("mu", "cell_m", "time_s", "way_m", "expected_m", "speed_m_s",
+                "friction_kJ", "remainder_kJ")}
     for mu, cell in ((0.0, 0.25), (0.3, 0.5), (0.3, 0.25), (0.3, 0.125),
                      (0.45, 0.25), (0.6, 0.25)):
         run = work.run(f"block-{mu}-{cell}", BLOCK,
@@ -45,17 +51,22 @@ def block(work):
             ways.append(float(np.average(moved[:, :2] @ ALONG,
                                          weights=start["mass"])))
         expected = [0.5 * acceleration(mu) * time**2 for time in times]
+        speeds = speed(run, times)
+        later = np.arange(0.5, 2.0, 0.01)
+        slope = np.polyfit(later, speed(run, later), 1)
         friction = run.value("Friction on walls (kJ)", times)
         remainder = run.value("Energy remainder (kJ)", times)
-        for row in zip(times, ways, expected, friction, remainder):
+        for row in zip(times, ways, expected, speeds, friction, remainder):
             for name, value in zip(columns, (mu, cell, *row)):
                 columns[name].append(value)
         work_of_friction = (mu * 40.0 / math.hypot(1.0, TAN_SLOPE) * ways[-1])
-        print("| %g | %g m | %.4f m | %.4f m | %+.2f %% | %.3f of %.3f kJ | "
-              "%.2g kJ |"
+        print("| %g | %g m | %.4f m | %.4f m | %+.2f %% | %.4f m/s^2 | %+.2f %% "
+              "| %.3f m/s | %.3f of %.3f kJ | %.2g kJ |"
               % (mu, cell, ways[-1], expected[-1],
                  100 * (ways[-1] / expected[-1] - 1) if expected[-1] else 0,
-                 friction[-1], work_of_friction,
+                 slope[0],
+                 100 * (slope[0] / acceleration(mu) - 1) if expected[-1] else 0,
+                 slope[1], friction[-1], work_of_friction,
                  np.abs(run.statistics["Energy remainder (kJ)"]).max()),
               flush=True)
         if cell == 0.25:
@@ -84,72 +95,81 @@ def profile(points, cell):
     return np.array(rows)
 
 
+ON_GROUND = "verification/dyke_on_ground.prm"
+BASES = [
+    ("held at nodes", "chapter5/dyke_weak.prm", {}),
+    ("rough wall", ON_GROUND, {"Walls/ground/Type": "rough",
+                               "Walls/ground/Friction angle": 0,
+                               "Gravity/Tolerance": 1e-4,
+                               "Time stepping/Time step": 0.01}),
+    ("friction 30°", ON_GROUND, {}),
+    ("friction 20°", ON_GROUND, {"Walls/ground/Friction angle": 20}),
+]
+
+
+def first_time(run, column, limit):
+    """When a column first falls below a limit (s), nan if never."""
+    below = run.statistics[column] < limit
+    return float(run.statistics["Time (s)"][below][0]) if below.any() \
+        else math.nan
+
+
 def toe(work):
-    """The weak dyke on a fixed base and on ground with friction."""
-    cases = [("fixed", "chapter5/dyke_weak.prm", {}, 0.25)]
-    for angle in (30, 15):
-        cases.append((f"ground, {angle}°", "verification/dyke_on_ground.prm",
-                      {"Walls/ground/Friction angle": angle}, 0.25))
-    figure, panels = plt.subplots(len(cases), 1, sharex=True,
-                                  figsize=(7.5, 1.9 * len(cases)))
-    names, columns = [], {name: [] for name in
-                          ("time_s", "run_out_m", "tip_m", "highest_gap_m",
-                           "flooding_s")}
-    drawn = []
-    for name, file, settings, cell in cases:
-        run = work.run(name.split("°")[0].replace(", ", "-"), file,
-                       {**settings, "Stop rules/On flooding": "false",
-                        "Time stepping/End time": 9, "Output/Interval": 0.5})
-        end = run.frames()[-1][0]
-        points = run.points()
-        rows = profile(points, cell)
-        front = points["position"][:, 0].max() + 0.25 * cell
-        beyond = rows[rows[:, 0] > 30.0]
-        names.append(name)
-        for key, value in zip(columns, (
-                end, front - 30.0,
-                rows[-1, 1], beyond[:, 1].max() if len(beyond) else 0.0,
-                run["first_flooding_time"]
-                if "first_flooding_time" in run.summary else math.nan)):
-            columns[key].append(value)
-        print("| %s | %.2f s | %.2f m | %.3f m | %.3f m |"
-              % (name, end, front - 30.0, columns["tip_m"][-1],
-                 columns["highest_gap_m"][-1]), flush=True)
-        drawn.append((name, points))
-    for axes, (name, points) in zip(np.atleast_1d(panels), drawn):
+    """The weak dyke on bases that hold it and on ground with friction: where
+    its inner toe is, and how high above the ground (m)."""
+    cell, width = 0.25, "Dyke width W (m)"
+    figure, panels = plt.subplots(len(BASES), 1, sharex=True,
+                                  figsize=(7.5, 1.9 * len(BASES)))
+    columns = {name: [] for name in
+               ("base", "time_s", "front_m", "ground_front_m", "base_slip_m",
+                "crest_m", "width_below_10_m_s", "flooding_s")}
+    for (name, file, settings), axes in zip(BASES, panels):
+        run = work.run(name.replace(" ", "-").replace("°", ""), file,
+                       {"Stop rules/On flooding": "false",
+                        "Time stepping/End time": 9, "Output/Interval": 0.5,
+                        **settings})
+        start = run.points(0.0)
+        order = np.argsort(start["id"])
+        base = order[(start["position"][order, 1] < 0.3 * cell) &
+                     (np.abs(start["position"][order, 0] - 25.0) < 1.0)]
+        for time, _ in run.frames():
+            points = run.points(time)
+            rows = profile(points, cell)
+            by_id = {k: i for i, k in enumerate(points["id"])}
+            moved = [points["position"][by_id[start["id"][i]], 0] -
+                     start["position"][i, 0] for i in base]
+            for key, value in zip(columns, (
+                    name, time, rows[-1, 0] + 0.25 * cell - 30.0,
+                    rows[rows[:, 1] < 0.25 * cell][-1, 0] + 0.25 * cell - 30.0,
+                    float(np.mean(moved)),
+                    float(run.value("Dyke height H (m)", [time])[0]),
+                    first_time(run, width, 10.0),
+                    first_time(run, width, 1e-9))):
+                columns[key].append(value)
+        print("| %s | %.2f s | %.2f s | %s | %.2f m | %.2f m |" % (
+            name, columns["width_below_10_m_s"][-1],
+            columns["flooding_s"][-1],
+            " | ".join("%.2f, %.2f, %.2f m" % tuple(
+                run_value for run_value in (
+                    columns[key][columns["base"].index(name) + k]
+                    for key in ("front_m", "ground_front_m", "base_slip_m")))
+                       for k in (6, 12, 18)),
+            columns["crest_m"][-1], profile(points, cell)[-1, 1]), flush=True)
         draw_points(axes, points, points["plastic_strain"], cmap="viridis",
                     vmin=0.0, vmax=2.0)
         axes.axhline(0.0, color="k", linewidth=0.8)
         axes.set_xlim(10.0, 40.0)
         axes.set_title(name, fontsize=9, loc="left")
-    np.atleast_1d(panels)[-1].set_xlabel("x (m)")
+    panels[-1].set_xlabel("x (m)")
     figure.tight_layout()
     save(figure, "contact_toe")
-    write_csv("contact_toe", {"base": names, **columns})
-
-
-def pile(work):
-    """The granular column on a base that only pushes."""
-    columns = {name: [] for name in ("base", "front_m", "rms_mm")}
-    for name, file, settings in (
-            ("fixed", measures.COLUMN, {}),
-            ("contact", "verification/granular_column_on_ground.prm", {})):
-        run = work.run("pile-" + name, file, settings)
-        off = measures.heights(run) - measures.MEASURED[:, 1]
-        columns["base"].append(name)
-        columns["front_m"].append(measures.front(run))
-        columns["rms_mm"].append(1e3 * float(np.sqrt((off**2).mean())))
-        print("| %s | %.3f m | %+.1f %% | %.1f mm |"
-              % (name, columns["front_m"][-1],
-                 100 * (columns["front_m"][-1] / 0.442 - 1),
-                 columns["rms_mm"][-1]), flush=True)
-    write_csv("contact_pile", columns)
+    write_csv("contact_toe", columns)
 
 
 def main():
-    only = option("--only", "block,toe,pile").split(",")
+    only = option("--only", "block,toe").split(",")
     with workspace(__doc__) as work:
-        for study in (block, toe, pile):
+        for study in (block, toe):
             if study.__name__ in only:
                 study(work)
 

@@ -150,6 +150,10 @@ namespace Waker
         for (const std::string &name : soil.variables)
           variables.push_back(&state.points.scalar(name));
 
+        // What is drawn and printed, if it is.
+        const int vertical_stress =
+          state.points.find_scalar("initial vertical stress");
+
         for (std::size_t i = 0; i < soil.points.size(); ++i)
           {
             const std::size_t q = soil.points[i];
@@ -161,6 +165,9 @@ namespace Waker
               soil.places.empty()
                 ? the_case->ground.at(x, the_case->layers_of_points[q], ratio)
                 : soil.places[i];
+            if (vertical_stress >= 0)
+              state.points.scalars[vertical_stress].values[q] =
+                place.vertical_stress;
             std::vector<double> values =
               own.at(soil.material, x, place, coefficients);
             for (const Along &along : soil.along)

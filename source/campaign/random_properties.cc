@@ -207,7 +207,6 @@ namespace Waker
     n_cut_off.assign(targets.size(), 0);
     std::vector<CellWeights> weights;
     set_weights(is_random, weights, state);
-    const bool is_stiffness_set = set_stiffness(is_random, state);
     for (const Kind kind : {Kind::coefficient, Kind::variable})
       {
         for (std::size_t t = 0; t < targets.size(); ++t)
@@ -233,6 +232,8 @@ namespace Waker
         if (kind == Kind::coefficient)
           dependent->set(weight_ratio(*the_case, weights), state);
       }
+    // What depends on coefficients sets all variables of its points.
+    const bool is_stiffness_set = set_stiffness(is_random, state);
     for (const Residual &residual : residuals)
       {
         const FieldTarget<dim>    &target = targets[residual.target];

@@ -248,6 +248,21 @@ namespace Waker
     last_load_change = declared_last_load_change(scene);
     measuring_level  = checked_measuring_level(scene);
     programmes.check_watched(points, measuring_level);
+    if (scheme_traits(parameters.time).has_long_steps)
+      {
+        const double end = parameters.time.end_time;
+        for (const std::string &path : {scene.tractions.varying(0., end),
+                                        scene.walls.varying(0., end),
+                                        fixities.varying(0., end)})
+          if (!path.empty())
+            throw UserError(
+              path,
+              "changes in time, and long steps look at Water/Rise "
+              "alone: they would jump over it",
+              std::string("what does not change, or Time "
+                          "stepping/Scheme = ") +
+                name_of(Scheme::newmark));
+      }
     water_touches = scene.water.touches();
     scene.tractions.fix_point_loads(points);
     scene.tractions.ride(points, riding_loads);

@@ -20,8 +20,10 @@ namespace Waker
     , daily_pore_water(p.pore_water.of_the_daily_water(),
                        p.water.unit_weight,
                        {},
-                       p.initial_stress.level().value_or(
-                         WaterLevel(p.water).at(0.)))
+                       p.initial_stress.daily_stage
+                         ? p.initial_stress.level().value_or(
+                             WaterLevel(p.water).at(0.))
+                         : WaterLevel(p.water).at(0.))
     , water_weight(p.water.unit_weight)
     , has_gravity(p.gravity.acceleration > 0.)
     , stress_is_known(p.pore_water.is_there() || !p.water.stands())

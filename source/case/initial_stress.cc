@@ -68,6 +68,7 @@ namespace Waker
       const int number = points.find_scalar("initial vertical stress");
       if (number < 0)
         return;
+      const int of_loads = points.find_scalar("pore pressure of loads");
       const std::vector<double> &columns = points.scalars[number].values;
       double                     square = 0., sum = 0., volume = 0.;
       for (std::size_t p = 0; p < points.n_points(); ++p)
@@ -75,7 +76,9 @@ namespace Waker
           double vertical = -points.stress[p][1][1];
           if (!pore_water.empty() &&
               !materials[points.material[p]]->is_of_effective_stress())
-            vertical -= pore_water.pressure(points.initial_position[p]);
+            vertical -=
+              pore_water.pressure(points.initial_position[p]) +
+              (of_loads < 0 ? 0. : points.scalars[of_loads].values[p]);
           square += points.volume[p] * std::pow(vertical - columns[p], 2);
           sum += points.volume[p] * columns[p];
           volume += points.volume[p];
@@ -232,9 +235,13 @@ namespace Waker
     AssertThrow(the_case.parameters.initial_stress.is_gravity_step(),
                 ExcInternalError());
     MaterialPoints<dim> &points = state.points;
-    std::fill(points.stress.begin(),
-              points.stress.end(),
-              SymmetricTensor<2, 3>());
+    if (gravity.initial_stress)
+      std::fill(points.stress.begin(),
+                points.stress.end(),
+                SymmetricTensor<2, 3>());
+    std::fill(state.wall_tractions.begin(),
+              state.wall_tractions.end(),
+              Tensor<1, dim>());
     prepare_domains(the_case.parameters.mapping.domains, points);
     Scene<dim> scene(the_case);
     scene.set(points);

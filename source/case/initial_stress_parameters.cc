@@ -161,6 +161,13 @@ namespace Waker
                         p.inflows.front().name +
                         "), of which no stress in the ground is known",
                       in.daily_stage ? "false" : "gravity");
+    if (in.laws == BalanceLaws::plastic && !p.walls.empty())
+      throw UserError("Initial stress/Laws",
+                      "is plastic, but there is a wall off the grid (Walls/" +
+                        p.walls.front().name +
+                        "), whose tractions are not carried from load step to "
+                        "load step",
+                      "elastic, or boundary conditions instead of walls");
     if (!in.daily_stage)
       return;
     if (!p.walls.empty())

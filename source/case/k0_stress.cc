@@ -104,6 +104,7 @@ namespace Waker
         const std::string text = parameters[m].k0_expression();
         const auto        list = law.variables();
         std::vector<int>  arrays, known; // of the variables, of those named
+        const int of_loads = points.find_scalar("pore pressure of loads");
         std::vector<std::string> symbols;
         for (const MaterialVariable &variable : list)
           {
@@ -145,7 +146,10 @@ namespace Waker
                            place.vertical_stress,
                            law.is_of_effective_stress() || pore_water.empty()
                              ? 0.
-                             : pore_water.pressure(x)};
+                             : pore_water.pressure(x) +
+                                 (of_loads < 0
+                                    ? 0.
+                                    : points.scalars[of_loads].values[p])};
             for (const int array : arrays)
               at_rest.variables.push_back(points.scalars[array].values[p]);
             if (!at_rest.is_borne(factor))

@@ -26,6 +26,11 @@ namespace Waker
       refuse("Load programmes/Names",
              "has " + in_quotes(p.load_programmes.front().name) +
                ", which watches the dyke from short step to short step");
+    for (const MaterialParameters &m : p.materials)
+      if (m.softens() && m.regularisation == Regularisation::nonlocal)
+        refuse("Materials/" + m.name + "/Regularisation",
+               "is nonlocal, which softens soil after a step, when a long one "
+               "is taken to be in balance");
     if (!p.inflows.empty())
       refuse("Inflow/Names",
              "has " + in_quotes(p.inflows.front().name) +

@@ -122,6 +122,15 @@ namespace Waker
                   [&](const MaterialParameters &m) {
                     return m.is_drained() && !stays_above_line(p, m);
                   });
+    for (const WallParameters &wall : p.walls)
+      if (is_drained && wall.type == WallType::frictional &&
+          wall.friction() > 0.)
+        throw UserError(
+          "Walls/" + wall.name + "/Type",
+          "is frictional, and there is drained soil with water in "
+          "it, whose pressure would count as friction",
+          "rough, smooth, Adhesion instead of friction, or no "
+          "phreatic line");
     if (is_drained && p.water.stands() && p.water.minimum_support > 0.)
       throw UserError("Water/Minimum support",
                       "is " + in_digits(p.water.minimum_support) +

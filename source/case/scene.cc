@@ -11,15 +11,28 @@
 
 namespace Waker
 {
+  namespace
+  {
+    template <int dim>
+    SurfaceFinder<dim>
+    surfaces_of(const Case<dim> &the_case, const ShapeFunctions functions)
+    {
+      const WallFaces<dim> walls =
+        faces_along_walls(the_case.grid, the_case.parameters.walls);
+      return {the_case.grid,
+              the_case.parameters.surface,
+              functions,
+              the_case.fixities.closed_faces() | walls.closed,
+              walls.setback};
+    }
+  } // namespace
+
+
   template <int dim>
   Scene<dim>::Scene(const Case<dim> &the_case, RankPart<dim> *const part)
     : weights(the_case.grid, the_case.parameters.mapping.functions)
     , nodes(the_case.grid)
-    , surfaces(the_case.grid,
-               the_case.parameters.surface,
-               weights.functions(),
-               the_case.fixities.closed_faces() |
-                 faces_along_walls(the_case.grid, the_case.parameters.walls))
+    , surfaces(surfaces_of(the_case, weights.functions()))
     , water(the_case.grid,
             the_case.parameters.water,
             the_case.parameters.surface)

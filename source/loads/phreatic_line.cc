@@ -9,6 +9,13 @@
 
 namespace Waker
 {
+  namespace
+  {
+    /// No water in the ground stands further above or below datum (m).
+    constexpr double farthest = 1e5;
+  } // namespace
+
+
   PhreaticLine::PhreaticLine(const std::string &text, const std::string &path)
   {
     if (tidy(text).empty())
@@ -28,6 +35,11 @@ namespace Waker
                           "corner " + std::to_string(corners.size() + 1) +
                             " is \"" + tidy(item) + "\", not two numbers",
                           allowed);
+        if (!(std::abs(corner[1]) <= farthest))
+          throw UserError(path,
+                          "corner " + std::to_string(corners.size() + 1) +
+                            " has y = " + in_digits(corner[1]) + " m",
+                          "heights within " + in_digits(farthest) + " m of 0");
         if (!corners.empty() && !(corner[0] > corners.back()[0]))
           throw UserError(path,
                           "corner " + std::to_string(corners.size() + 1) +

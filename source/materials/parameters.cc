@@ -249,6 +249,11 @@ namespace Waker
                       std::string("is Jaky, but Model = ") + name_of(model) +
                         " has no friction angle",
                       "a number, an expression, or elastic");
+    if (mohr_coulomb.has_table())
+      throw UserError("Materials/" + name + "/K0",
+                      "is Jaky, but a Shear strength table has no friction "
+                      "angle",
+                      "a number, an expression, or elastic");
     return "1 - sin(friction_angle*pi/180)";
   }
 
@@ -274,7 +279,8 @@ namespace Waker
     switch (model)
       {
         case MaterialModel::mohr_coulomb:
-          return plain_number(mohr_coulomb.friction_angle).value_or(1.) != 0.;
+          return mohr_coulomb.has_table() ||
+                 plain_number(mohr_coulomb.friction_angle).value_or(1.) != 0.;
         case MaterialModel::linear_elastic:
         case MaterialModel::von_mises_softening:
           return false;

@@ -43,7 +43,8 @@ namespace Waker
                "along it. Both hold: they pull as well as push. frictional: "
                "it pushes only. The soil may leave it and touch it again, and "
                "slides where the shear traction reaches friction and "
-               "adhesion.");
+               "adhesion. It should not lie along a line of the grid: shift "
+               "Grid/Lower corner and Upper corner by half a cell.");
     prm.add_parameter("Displacement",
                       displacement,
                       "Displacement of the wall since the start (m): per "

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/errors.h>
 #include <waker/measures/dyke_geometry.h>
 #include <waker/measures/soil_at_sides.h>
 #include <waker/simulation/realisation.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace Waker
 {
@@ -90,6 +92,27 @@ namespace Waker
 
 
   template <int dim>
+  StepReport<dim>
+  Realisation<dim>::solve(const double t, const double dt, NodalState &nodes)
+  {
+    try
+      {
+        return scheme().solve(own_points(), t, dt, nodes);
+      }
+    catch (const NumericalFailure &)
+      {
+        // Soil without stiffness (that water lifts, say) is in no balance: it
+        // moves.
+        if (!control.is_long())
+          throw;
+        StepReport<dim> none;
+        none.residuals = {std::numeric_limits<double>::infinity()};
+        return none;
+      }
+  }
+
+
+  template <int dim>
   void
   Realisation<dim>::advance()
   {
@@ -107,7 +130,7 @@ namespace Waker
                       scene.set_end_loads(*state,
                                           t + tried); // weight, water, loads
                       // 2.23 with 2.28, or 2.34
-                      return report = scheme().solve(points, t, tried, nodes);
+                      return report = solve(t, tried, nodes);
                     });
     // Stress and motion: 2.33, 2.38-2.40, or 2.35-2.37
     scheme().to_points(t, dt, nodes, points, report);

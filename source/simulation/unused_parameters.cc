@@ -185,6 +185,7 @@ namespace Waker
                   "no Pore water/Phreatic line",
                   warnings);
     warn_unused(p.pore_water.is_there() &&
+                  p.initial_stress.from != StressFrom::k0 &&
                   std::none_of(p.materials.begin(),
                                p.materials.end(),
                                [](const MaterialParameters &m) {

@@ -115,12 +115,25 @@ namespace Waker
                          ": no soil touches it at the start");
     for (const WallParameters &wall : walls)
       if (wall.type == WallType::frictional &&
-          (faces_along_walls(the_case.grid, {wall}) &
+          (faces_along_walls(the_case.grid, {wall}).closed &
            the_case.fixities.closed_faces()) != 0)
         warnings.push_back("Walls/" + wall.name +
                            " lies along a face whose nodes a boundary "
                            "condition holds: soil stops a cell before it, and "
                            "does not slide as it says");
+    for (const WallParameters &wall : walls)
+      if (wall.type == WallType::frictional &&
+          is_along_grid_line(the_case.grid, wall))
+        {
+          std::ostringstream text;
+          text << "Walls/" << wall.name
+               << " lies along a line of the grid, whose nodes beyond it "
+                  "nothing holds: soil that rests on it will settle and not "
+                  "come to rest. Shift Grid/Lower corner and Upper corner by "
+                  "half a cell, "
+               << 0.5 * the_case.grid.cell_size() << " m, across the wall";
+          warnings.push_back(text.str());
+        }
   }
 
 

@@ -13,8 +13,8 @@ namespace Waker
   void
   warn_of_friction(const Parameters &p, std::vector<std::string> &warnings);
 
-  /// Walls that no soil touches at the start, and that boundary conditions
-  /// keep it from.
+  /// Walls that no soil touches at the start, that boundary conditions keep it
+  /// from, and frictional ones along a line of the grid.
   template <int dim>
   void
   warn_of_walls(const Case<dim> &the_case, std::vector<std::string> &warnings);

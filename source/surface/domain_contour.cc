@@ -76,7 +76,8 @@ namespace Waker
   template <int dim>
   DomainContour<dim>::DomainContour(const BackgroundGrid<dim> &grid,
                                     const SurfaceParameters   &parameters,
-                                    const unsigned int         closed_faces)
+                                    const unsigned int         closed_faces,
+                                    const std::array<double, 2 * dim> &setback)
     : work(std::make_unique<WorkSpace>())
   {
     parameters.check();
@@ -86,6 +87,11 @@ namespace Waker
     work->rules.closed_faces = closed_faces;
     work->rules.lower        = grid.lower_corner();
     work->rules.upper        = grid.upper_corner();
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        work->rules.lower[d] += setback[2 * d];
+        work->rules.upper[d] -= setback[2 * d + 1];
+      }
   }
 
 

@@ -10,9 +10,11 @@
 namespace Waker
 {
   template <int dim>
-  ProximityField<dim>::ProximityField(const BackgroundGrid<dim> &grid,
-                                      const SurfaceParameters   &parameters,
-                                      const unsigned int         closed_faces)
+  ProximityField<dim>::ProximityField(
+    const BackgroundGrid<dim>         &grid,
+    const SurfaceParameters           &parameters,
+    const unsigned int                 closed_faces,
+    const std::array<double, 2 * dim> &setback)
     : radius(parameters.kernel_radius)
     , threshold(parameters.threshold)
     , inverse_h(grid.inverse_cell_size())
@@ -38,9 +40,12 @@ namespace Waker
         const bool upper = closed_faces >> (2 * d + 1) & 1u;
         const int  m     = BackgroundGrid<dim>::margin;
 
-        const double far   = 1e6;
-        mirrors[2 * d]     = (lower && parameters.mirror) ? m : -far;
-        mirrors[2 * d + 1] = (upper && parameters.mirror) ? n - 1 - m : far;
+        const double far = 1e6;
+        mirrors[2 * d] =
+          (lower && parameters.mirror) ? m + setback[2 * d] * inverse_h : -far;
+        mirrors[2 * d + 1] = (upper && parameters.mirror)
+                               ? n - 1 - m - setback[2 * d + 1] * inverse_h
+                               : far;
 
         // The contour is sought up to a closed face, else over the margin too.
         const int begin = lower ? m : 0;
@@ -48,16 +53,16 @@ namespace Waker
         for (int i = begin; i < end; ++i)
           window[d].push_back(origin[d] + h * i);
         if (lower)
-          window[d].front() = grid.lower_corner()[d];
+          window[d].front() = grid.lower_corner()[d] + setback[2 * d];
         if (upper)
-          window[d].back() = grid.upper_corner()[d];
+          window[d].back() = grid.upper_corner()[d] - setback[2 * d + 1];
         first_traced += begin * (d == 0 ? 1 : n_x);
       }
     contour = MarchingSquares(window, closed_faces);
 
     if constexpr (dim == 3)
       if (!parameters.is_of_section(dim))
-        spatial.emplace(grid, parameters, closed_faces);
+        spatial.emplace(grid, parameters, closed_faces, setback);
   }
 
 

@@ -10,9 +10,10 @@
 
 namespace Waker
 {
-  ProximitySurface::ProximitySurface(const BackgroundGrid<3> &grid,
-                                     const SurfaceParameters &parameters,
-                                     const unsigned int       closed_faces)
+  ProximitySurface::ProximitySurface(const BackgroundGrid<3>     &grid,
+                                     const SurfaceParameters     &parameters,
+                                     const unsigned int           closed_faces,
+                                     const std::array<double, 6> &setback)
     : radius(parameters.kernel_radius)
     , threshold(parameters.threshold)
     , h(grid.cell_size())
@@ -36,8 +37,11 @@ namespace Waker
         n_nodes[d]       = n;
 
         const double far = 1e6;
-        mirrors[d]       = {{(lower && parameters.mirror) ? m : -far,
-                       (upper && parameters.mirror) ? n - 1 - m : far}};
+        mirrors[d]       = {
+                {(lower && parameters.mirror) ? m + setback[2 * d] * inverse_h : -far,
+           (upper && parameters.mirror)
+                   ? n - 1 - m - setback[2 * d + 1] * inverse_h
+                   : far}};
 
         // The contour is sought up to a closed face, else over the margin too.
         const int begin = lower ? m : 0;
@@ -45,9 +49,9 @@ namespace Waker
         for (int i = begin; i < end; ++i)
           window[d].push_back(origin[d] + h * i);
         if (lower)
-          window[d].front() = grid.lower_corner()[d];
+          window[d].front() = grid.lower_corner()[d] + setback[2 * d];
         if (upper)
-          window[d].back() = grid.upper_corner()[d];
+          window[d].back() = grid.upper_corner()[d] - setback[2 * d + 1];
         first_traced += begin * grid.stride(d);
       }
     contour = MarchingCubes(window, closed_faces);

@@ -27,12 +27,13 @@ namespace Waker
   SurfaceFinder<dim>::SurfaceFinder(const BackgroundGrid<dim> &grid,
                                     const SurfaceParameters   &parameters,
                                     const ShapeFunctions       functions,
-                                    const unsigned int         closed_faces)
+                                    const unsigned int         closed_faces,
+                                    const std::array<double, 2 * dim> &setback)
     : grid(&grid)
     , parameters(parameters)
     , functions(functions)
-    , proximity(grid, parameters, closed_faces)
-    , contour(grid, parameters, closed_faces)
+    , proximity(grid, parameters, closed_faces, setback)
+    , contour(grid, parameters, closed_faces, setback)
     , cells(grid, closed_faces)
   {}
 

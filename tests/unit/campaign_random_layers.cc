@@ -210,6 +210,29 @@ namespace campaign_random_layers
   }
 
 
+  /// What follows from coefficients sets all variables of its points, but the
+  /// stiffness.
+  TEST(RandomLayers, stiffness_varies_beside_coefficients)
+  {
+    const std::string   E = "Random fields/E/";
+    const Drawn         drawn({"Random fields/Names=a, E",
+                               E + "Material=clay",
+                               E + "Property=Young's modulus",
+                               E + "Distribution=lognormal",
+                               E + "Minimum=200",
+                               E + "Coefficient of variation=0.3"});
+    std::vector<double> ratio, S;
+    for (const std::size_t q : drawn.points_of(1))
+      {
+        ratio.push_back(drawn.values("stiffness ratio")[q]);
+        S.push_back(drawn.values("strength ratio")[q]);
+      }
+    EXPECT_NEAR(mean_and_deviation(ratio).first, 1., 0.3);
+    EXPECT_GT(mean_and_deviation(ratio).second, 0.1);
+    EXPECT_GT(mean_and_deviation(S).second, 0.02);
+  }
+
+
   TEST(RandomLayers, measurements_count_where_they_are)
   {
     const TemporaryFolder folder;

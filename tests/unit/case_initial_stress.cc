@@ -4,6 +4,7 @@
 #include <waker/case/scene.h>
 
 #include "stress_in_ground.h"
+#include "user_errors.h"
 
 namespace case_initial_stress
 {
@@ -94,6 +95,17 @@ namespace case_initial_stress
     const Case<2> other(*read(level_ground, {"Materials/clay/K0=0.75"}),
                         MPI_COMM_SELF);
     EXPECT_GT(difference_from_k0(other), 0.5);
+  }
+
+
+  TEST(InitialStress, load_steps_do_not_go_with_walls)
+  {
+    EXPECT_USER_ERROR(read(level_ground,
+                           {"Initial stress/Laws=plastic",
+                            "Walls/Names=w",
+                            "Walls/w/Line=-1, 0.1; 3, 0.1"}),
+                      "--set Initial stress/Laws",
+                      "not carried from load step to load step");
   }
 
 

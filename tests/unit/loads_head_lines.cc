@@ -261,6 +261,9 @@ end
     EXPECT_USER_ERROR(polder({deep + "Line=0, 5; 3, nan"}),
                       set + deep + "Line",
                       "nan");
+    EXPECT_USER_ERROR(polder({deep + "Line=0, 5; 3, 1e308"}),
+                      set + deep + "Line",
+                      "corner 2 has y = 1e+308 m");
     EXPECT_USER_ERROR(polder({deep + "Line="}), set + deep + "Line", "empty");
     EXPECT_USER_ERROR(polder({deep + "Daily line=1, 5; 3, 5"}),
                       set + deep + "Daily line",

@@ -362,7 +362,7 @@ namespace nodes_wall_gaps
                            const std::string &displacement = "") {
       WallParameters wall = base(line);
       wall.displacement   = displacement;
-      return faces_along_walls(grid, {wall});
+      return faces_along_walls(grid, {wall}).closed;
     };
     const Point<2> low = grid.lower_corner(), high = grid.upper_corner();
     const auto     line =
@@ -378,5 +378,20 @@ namespace nodes_wall_gaps
     EXPECT_EQ(faces(line(low[0], low[1], high[0] - h, low[1])), 0u);
     EXPECT_EQ(faces(line(low[0], low[1] + h, high[0], low[1] + h)), 0u);
     EXPECT_EQ(faces(line(low[0], low[1], high[0], low[1]), "0; t"), 0u);
+    // Less than a cell inside it closes the face, from where it is.
+    const double at = low[1] + 0.4 * h;
+    EXPECT_EQ(faces(line(low[0], at, high[0], at)), 4u);
+    EXPECT_NEAR(
+      faces_along_walls(grid, {base(line(low[0], at, high[0], at))}).setback[2],
+      0.4 * h,
+      1e-12);
+    // Along a line of the grid, or not.
+    const auto on_line = [&](const double x, const double y) {
+      return is_along_grid_line(grid, base(line(low[0], x, high[0], y)));
+    };
+    EXPECT_TRUE(on_line(low[1], low[1]));
+    EXPECT_TRUE(on_line(low[1] + h, low[1] + h));
+    EXPECT_FALSE(on_line(at, at));
+    EXPECT_FALSE(on_line(low[1], low[1] + h));
   }
 } // namespace nodes_wall_gaps

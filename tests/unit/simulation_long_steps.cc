@@ -383,6 +383,12 @@ namespace simulation_long_steps
                   section + name,
                   "is " + (value == "0" ? value : "1e+308"));
     refuses({"Outflow/Faces=right"}, "Outflow/Faces", "no balance of momentum");
+    refuses({"Materials/clay/Softening modulus=-20",
+             "Materials/clay/Residual strength=5",
+             "Materials/clay/Regularisation=nonlocal",
+             "Materials/clay/Averaging length=2"},
+            "Materials/clay/Regularisation",
+            "softens soil after a step");
     refuses({"Water/Rise=0: 0, 5: 1, 4: 2"},
             "Water/Rise",
             "does not come after");

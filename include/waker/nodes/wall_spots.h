@@ -7,6 +7,7 @@
 #include <waker/grid/background_grid.h>
 #include <waker/nodes/wall_parameters.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -39,17 +40,38 @@ namespace Waker
                   const double       size,
                   const std::string &path);
 
+  /// Faces of the grid's box that walls close.
+  template <int dim>
+  struct WallFaces
+  {
+    /// Bit 2d for the lower, 2d + 1 for the upper face in direction d, as
+    /// Fixities::closed_faces().
+    unsigned int closed = 0;
+    /// How far inside each of them the wall is (m), less than a cell.
+    std::array<double, 2 * dim> setback{};
+  };
+
+
   /**
-   * The faces of the grid's box along which walls that stand still lie: nothing
-   * passes there, and water does not come between.
-   *
-   * @return bit 2d for the lower, 2d + 1 for the upper face in direction d, as
-   *         Fixities::closed_faces()
+   * The faces of the grid's box along which, or less than a cell inside which,
+   * walls that stand still lie: nothing passes there, and water does not come
+   * between.
    */
   template <int dim>
-  unsigned int
+  WallFaces<dim>
   faces_along_walls(const BackgroundGrid<dim>         &grid,
                     const std::vector<WallParameters> &walls);
+
+
+  /**
+   * Does a wall lie along a line of the grid? The nodes beyond that line are
+   * next to free of soil, and spots on the line do not hold them: soil that
+   * bears on the wall drives them away, and settles.
+   */
+  template <int dim>
+  bool
+  is_along_grid_line(const BackgroundGrid<dim> &grid,
+                     const WallParameters      &wall);
 } // namespace Waker
 
 #endif

@@ -67,6 +67,10 @@ namespace Waker
     next_time_step() const;
 
   private:
+    /// The step, not converged if it is a long one that cannot be solved.
+    StepReport<dim>
+    solve(const double t, const double dt, NodalState &nodes);
+
     /// What of the dyke fails: into the state's record.
     void
     measure();

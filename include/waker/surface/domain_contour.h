@@ -36,12 +36,14 @@ namespace Waker
   public:
     /**
      * @param closed_faces as of Fixities::closed_faces()
+     * @param setback as of ProximityField
      * @throws UserError "Surface/Minimum gap width" or "... height" if a gap as
      *         large as a domain would be filled
      */
-    DomainContour(const BackgroundGrid<dim> &grid,
-                  const SurfaceParameters   &parameters,
-                  const unsigned int         closed_faces);
+    DomainContour(const BackgroundGrid<dim>        &grid,
+                  const SurfaceParameters          &parameters,
+                  const unsigned int                closed_faces,
+                  const std::array<double, 2 *dim> &setback = {});
 
     ~DomainContour();
 

@@ -9,6 +9,7 @@
 #include <waker/surface/proximity_surface.h>
 #include <waker/surface/shape/surface.h>
 
+#include <array>
 #include <optional>
 
 namespace Waker
@@ -42,9 +43,12 @@ namespace Waker
   {
   public:
     /// @param closed_faces where to mirror (Fixities::closed_faces())
-    ProximityField(const BackgroundGrid<dim> &grid,
-                   const SurfaceParameters   &parameters,
-                   const unsigned int         closed_faces);
+    /// @param setback how far inside these faces the planes are that close
+    ///        them (m), less than a cell: walls
+    ProximityField(const BackgroundGrid<dim>        &grid,
+                   const SurfaceParameters          &parameters,
+                   const unsigned int                closed_faces,
+                   const std::array<double, 2 *dim> &setback = {});
 
     /// PF (no unit; about 1 inside a body) for the points as they lie, at the
     /// nodes of the x-y lattice, x fastest, margin included: n_x n_y entries,

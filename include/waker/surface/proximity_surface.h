@@ -28,9 +28,11 @@ namespace Waker
   {
   public:
     /// @param closed_faces where to mirror (Fixities::closed_faces())
-    ProximitySurface(const BackgroundGrid<3> &grid,
-                     const SurfaceParameters &parameters,
-                     const unsigned int       closed_faces);
+    /// @param setback as of ProximityField
+    ProximitySurface(const BackgroundGrid<3>     &grid,
+                     const SurfaceParameters     &parameters,
+                     const unsigned int           closed_faces,
+                     const std::array<double, 6> &setback = {});
 
     /// PF (no unit; about 1 inside a body) at the nodes, n_nodes long.
     const std::vector<double> &

@@ -9,6 +9,7 @@
 #include <waker/surface/shape/facet.h>
 #include <waker/surface/shape/surface.h>
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -47,10 +48,15 @@ namespace Waker
   class SurfaceFinder
   {
   public:
-    SurfaceFinder(const BackgroundGrid<dim> &grid,
-                  const SurfaceParameters   &parameters,
-                  const ShapeFunctions       functions,
-                  const unsigned int         closed_faces);
+    /// @param closed_faces bit 2d for the lower, 2d + 1 for the upper face
+    ///        in direction d
+    /// @param setback how far inside these faces the planes are that close
+    ///        them (m), less than a cell: walls
+    SurfaceFinder(const BackgroundGrid<dim>        &grid,
+                  const SurfaceParameters          &parameters,
+                  const ShapeFunctions              functions,
+                  const unsigned int                closed_faces,
+                  const std::array<double, 2 *dim> &setback = {});
 
     /// From now on the surfaces are those of these points, which must stay.
     void
