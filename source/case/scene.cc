@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/case/rank_part.h>
 #include <waker/case/scene.h>
 #include <waker/mapping/transfer.h>
 #include <waker/mechanics/point_motion.h>
@@ -28,7 +29,7 @@ namespace Waker
 
 
   template <int dim>
-  Scene<dim>::Scene(const Case<dim> &the_case)
+  Scene<dim>::Scene(const Case<dim> &the_case, RankPart<dim> *const part)
     : weights(the_case.grid, the_case.parameters.mapping.functions)
     , nodes(the_case.grid)
     , surfaces(surfaces_of(the_case, weights.functions()))
@@ -44,6 +45,7 @@ namespace Waker
             stiffest_modulus(the_case.materials),
             the_case.full_node_mass)
     , the_case(&the_case)
+    , part(part)
     , point_loads(the_case.grid)
     , driven(the_case.grid, the_case.programmes, the_case.parameters)
   {}
@@ -74,8 +76,21 @@ namespace Waker
   void
   Scene<dim>::map(const MaterialPoints<dim> &points)
   {
+    if (part != nullptr)
+      {
+        part->map(nodes.mass);
+        return;
+      }
     weights.reinit(points);
     to_nodes(points, weights, nodes);
+  }
+
+
+  template <int dim>
+  NodalState &
+  Scene<dim>::step_nodes()
+  {
+    return part != nullptr ? *part->nodes : nodes;
   }
 
 
@@ -115,7 +130,8 @@ namespace Waker
   void
   Scene<dim>::set_loads(State<dim> &state)
   {
-    the_case->pore_water.record(state.points, state.pore_water);
+    the_case->pore_water.record(part != nullptr ? part->points() : state.points,
+                                state.pore_water);
     do_at_step(state.step,
                [&]() { add_up_loads(state.points, state.time, state.loads); });
     tractions.record(state.time, state.tractions);
@@ -144,7 +160,7 @@ namespace Waker
   Scene<dim>::begin_step()
   {
     if (loads_move())
-      nodes.start_force = nodes.external_force;
+      step_nodes().start_force = step_nodes().external_force;
   }
 
 
@@ -242,9 +258,10 @@ namespace Waker
     water_resultant = water.resultant();
     tractions.add(
       time, points, nodes.mass, the_case->full_node_mass, nodes.external_force);
-    the_case->pore_water.add_nodal_forces(points,
-                                          weights,
-                                          nodes.external_force);
+    if (part == nullptr)
+      the_case->pore_water.add_nodal_forces(points,
+                                            weights,
+                                            nodes.external_force);
     if (!points.load.empty())
       {
         // Eq. 3.2, with linear functions also under GIMP.
@@ -254,6 +271,8 @@ namespace Waker
             point_loads.add(points.position[p], points.load[p]);
         point_loads.distribute(nodes.mass, 0., nodes.external_force);
       }
+    if (part != nullptr)
+      part->take_loads(nodes.external_force);
   }
 
 
@@ -261,12 +280,23 @@ namespace Waker
   void
   Scene<dim>::set_internal_force(const MaterialPoints<dim> &points)
   {
-    nodes.internal_force = 0.;
-    const auto motion    = make_point_motion<dim>(the_case->parameters.mapping);
-    motion->start(points, weights);
-    motion->add_force_of_stress(points, weights, nodes.internal_force);
+    NodalVector &force = step_nodes().internal_force;
+    force              = 0.;
+    const auto motion  = make_point_motion<dim>(the_case->parameters.mapping);
+    const auto add     = [&](const MaterialPoints<dim> &points,
+                         const Weights<dim>        &weights) {
+      motion->start(points, weights);
+      motion->add_force_of_stress(points, weights, force);
+    };
+    if (part != nullptr)
+      {
+        add(part->points(), *part->weights);
+        part->grid->exchange().sum({{force.begin(), dim}});
+      }
+    else
+      add(points, weights);
     for (Resistance<dim> *const resistance : resistances())
-      resistance->add_start_force(nodes.internal_force);
+      resistance->add_start_force(force);
   }
 
 

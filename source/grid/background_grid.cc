@@ -142,6 +142,7 @@ namespace Waker
         node_origin[d] = lower[d] - margin * h;
         outer_upper[d] = node_origin[d] + n_cells[d] * h;
       }
+    whole_origin = node_origin;
 
     GridGenerator::subdivided_hyper_rectangle(deal_ii->triangulation,
                                               n_cells,
@@ -169,6 +170,35 @@ namespace Waker
           }
       }
     dof_handler.renumber_dofs(renumbering);
+    node_exchange = std::make_shared<const NodeExchange>(n_nodes_total);
+  }
+
+
+  template <int dim>
+  BackgroundGrid<dim>::BackgroundGrid(
+    const BackgroundGrid                &whole,
+    const Index                         &first,
+    const std::array<unsigned int, dim> &n_nodes)
+    : lower(whole.lower)
+    , upper(whole.upper)
+    , node_origin(whole.node_origin)
+    , whole_origin(whole.whole_origin)
+    , h(whole.h)
+    , inverse_h(whole.inverse_h)
+    , n_nodes_1d(n_nodes)
+    , n_nodes_total(1)
+    , n_cells_total(1)
+    , mpi_communicator(whole.mpi_communicator)
+    , first_node(first)
+  {
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        strides[d] = n_nodes_total;
+        n_nodes_total *= n_nodes_1d[d];
+        n_cells_total *= n_nodes_1d[d] - 1;
+        node_origin[d] += h * first[d];
+      }
+    node_exchange = std::make_shared<const NodeExchange>(n_nodes_total);
   }
 
 
@@ -183,7 +213,8 @@ namespace Waker
     Index index;
     for (unsigned int d = 0; d < dim; ++d)
       index[d] =
-        static_cast<int>(std::floor((x[d] - node_origin[d]) * inverse_h));
+        static_cast<int>(std::floor((x[d] - whole_origin[d]) * inverse_h)) -
+        first_node[d];
     return index;
   }
 

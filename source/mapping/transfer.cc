@@ -95,6 +95,8 @@ namespace Waker
                     mass,
                     momentum,
                     rate);
+    weights.background_grid().exchange().sum(
+      {{mass, 1}, {momentum, dim}, {rate, dim}});
 
     for (std::size_t i = 0; i < nodes.mass.size(); ++i)
       if (mass[i] > 0.)

@@ -21,11 +21,13 @@ namespace Waker
     const std::size_t n = points.n_points();
     weights.resize(n);
     const double         inverse_h = grid->inverse_cell_size();
-    const Point<dim>     origin    = grid->origin();
+    const Point<dim>     origin    = grid->lattice_origin();
+    const auto          &offset    = grid->offset(); // of a window
     const bool           gimp      = shape_functions == ShapeFunctions::gimp;
     std::array<int, dim> last_base; // a stencil must end on the grid
     for (unsigned int d = 0; d < dim; ++d)
-      last_base[d] = static_cast<int>(grid->n_nodes_per_direction()[d]) - 3;
+      last_base[d] =
+        offset[d] + static_cast<int>(grid->n_nodes_per_direction()[d]) - 3;
 
     for (std::size_t p = 0; p < n; ++p)
       {
@@ -37,7 +39,8 @@ namespace Waker
             const double x = points.position[p][d] - origin[d];
             // False also for a position that is not a number, which must not
             // become a node's number.
-            if (!(x >= 0. && x <= (last_base[d] + 2) * grid->cell_size()))
+            if (!(x >= offset[d] * grid->cell_size() &&
+                  x <= (last_base[d] + 2) * grid->cell_size()))
               {
                 inside = false;
                 continue;
@@ -57,12 +60,13 @@ namespace Waker
                   }
                 w1.value[0] = w1.gradient[0] = 0.;
               }
-            if (w1.base < 0 || w1.base > last_base[d])
+            if (w1.base < offset[d] || w1.base > last_base[d])
               {
                 inside = false;
                 continue;
               }
-            w.base += static_cast<unsigned int>(w1.base) * grid->stride(d);
+            w.base +=
+              static_cast<unsigned int>(w1.base - offset[d]) * grid->stride(d);
             for (unsigned int i = 0; i < 3; ++i)
               {
                 w.value[d][i]    = w1.value[i];

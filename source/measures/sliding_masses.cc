@@ -113,6 +113,14 @@ namespace Waker
 
 
   template <int dim>
+  const char *
+  SlidingMassFinder<dim>::changed_scalar()
+  {
+    return slide_name;
+  }
+
+
+  template <int dim>
   void
   SlidingMassFinder<dim>::start(MaterialPoints<dim> &points)
   {

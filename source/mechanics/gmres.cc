@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/mechanics/gmres.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Waker
@@ -71,6 +72,42 @@ namespace Waker
   }
 
 
+  double
+  Gmres::orthogonalise(std::vector<double> &w,
+                       const unsigned int   n,
+                       double *const        h)
+  {
+    if (ranks->is_one_rank())
+      {
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            h[i] = dot(w, basis[i]);
+            add(w, -h[i], basis[i]);
+          }
+        return std::sqrt(dot(w, w));
+      }
+    std::fill_n(h, n, 0.);
+    double sums[restart + 1];
+    while (true)
+      {
+        for (unsigned int i = 0; i < n; ++i)
+          sums[i] = dot(w, basis[i]);
+        sums[n] = dot(w, w);
+        ranks->sum(sums, n + 1);
+        double rest = sums[n]; // Pythagoras
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            h[i] += sums[i];
+            rest -= sums[i] * sums[i];
+            add(w, -sums[i], basis[i]);
+          }
+        // Little of it remains: with the round-off of all of it.
+        if (!(rest < 1e-2 * sums[n]) || !(sums[n] > 0.))
+          return std::sqrt(std::max(rest, 0.));
+      }
+  }
+
+
   LinearReport
   Gmres::solve(const Operator    &A,
                NodalVector       &x,
@@ -94,7 +131,7 @@ namespace Waker
           product(A, solution, r);
         for (std::size_t k = 0; k < n; ++k)
           r[k] = b.begin()[dofs[k]] - r[k];
-        const double norm = std::sqrt(dot(r, r));
+        const double norm = std::sqrt(ranks->sum(dot(r, r)));
         if (report.iterations == 0)
           target = tolerance * norm;
         // Infinity is not below infinity times the tolerance.
@@ -115,12 +152,10 @@ namespace Waker
           {
             std::vector<double> &w = basis[m + 1];
             product(A, basis[m], w);
+            double       column[restart + 1];
+            const double length = orthogonalise(w, m + 1, column);
             for (unsigned int i = 0; i <= m; ++i)
-              {
-                H[i][m] = dot(w, basis[i]);
-                add(w, -H[i][m], basis[i]);
-              }
-            const double length = std::sqrt(dot(w, w));
+              H[i][m] = column[i];
             for (unsigned int i = 0; i < m; ++i)
               {
                 const double upper = H[i][m];

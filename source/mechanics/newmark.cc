@@ -106,10 +106,11 @@ namespace Waker
                               MaterialPoints<dim> &points,
                               StepReport<dim>     &report)
     {
-      moved = to_particles(nodes, in.weights, dt, points);
-      report.displacement_rate =
-        displacement_rate(moved.squared_displacement, moved.mass, dt);
-      report.kinetic_energy = moved.kinetic_after;
+      moved         = to_particles(nodes, in.weights, dt, points);
+      double sums[] = {moved.squared_displacement, moved.mass};
+      in.grid.exchange().sum(sums, 2);
+      report.displacement_rate = displacement_rate(sums[0], sums[1], dt);
+      report.kinetic_energy    = moved.kinetic_after;
     }
 
 
@@ -133,7 +134,7 @@ namespace Waker
       const double *const new_v    = nodes.new_velocity.begin();
       double start_work = 0., external_work = 0., inertia_work = 0.;
       double kinetic_before = 0., kinetic_after = 0.;
-      for (const auto &run : reached)
+      for (const auto &run : reached.owned())
         for (std::size_t i = run.begin; i < run.end; ++i)
           {
             const double mass = nodes.mass[i];
@@ -167,6 +168,8 @@ namespace Waker
       const double *const new_a = nodes.new_acceleration.begin();
       for (const unsigned int dof : in.fixities.removed_list())
         {
+          if (!reached.ranks().owns(dof / dim))
+            continue;
           const double force = r_end * (internal[dof] - external[dof]) +
                                nodes.mass[dof / dim] * new_a[dof];
           report.reaction[dof % dim] += internal[dof] - external[dof];

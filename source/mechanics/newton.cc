@@ -56,7 +56,7 @@ namespace Waker
     , parameters(parameters)
     , full_node_mass(full_node_mass)
     , method(method)
-    , linear_solver(grid.n_dofs())
+    , linear_solver(grid.n_dofs(), grid.exchange())
     , reached(grid)
     , R(grid.n_dofs())
     , correction(grid.n_dofs())
@@ -88,6 +88,11 @@ namespace Waker
       nodes.internal_force += load_force;
     add(Role::remedy, nodes.internal_force);
     add(Role::support, support_force);
+    const NodeExchange &ranks = reached.ranks();
+    for (NodalVector *const force :
+         {&nodes.internal_force, &load_force, &support_force})
+      if (force->size() > 0)
+        ranks.sum({{force->begin(), dim}});
   }
 
 
@@ -121,7 +126,7 @@ namespace Waker
     const unsigned char *const removed      = fixities->removed().data();
     double                     sum = 0., parts = 0., loads = 0.;
     reference = 0.;
-    for (const auto &run : reached)
+    for (const auto &run : reached.owned())
       for (std::size_t i = run.begin; i < run.end; ++i)
         {
           // Nothing of a node without mass counts.
@@ -146,7 +151,7 @@ namespace Waker
         }
     // The internal force is less that of the loads, and may be nothing else.
     if (load_force.size() > 0)
-      for (const auto &run : reached)
+      for (const auto &run : reached.owned())
         for (std::size_t i = run.begin; i < run.end; ++i)
           for (unsigned int c = 0; c < dim; ++c)
             {
@@ -160,20 +165,26 @@ namespace Waker
                   reference += square;
                 }
             }
+    double sums[] = {sum, parts, loads, reference};
+    reached.ranks().sum(sums, 4);
+    sum       = sums[0];
+    parts     = sums[1];
+    loads     = sums[2];
+    reference = sums[3];
     // A body that only its supports push has no other forces than theirs.
     if (q == nullptr && loads == 0.)
       reference = parts;
     if (support_force.size() > 0)
       {
         double supports = 0.;
-        for (const auto &run : reached)
+        for (const auto &run : reached.owned())
           for (std::size_t i = run.begin; i < run.end; ++i)
             for (unsigned int c = 0; c < dim; ++c)
               if (const double force = support_force.begin()[dim * i + c];
                   !removed[dim * i + c])
                 supports +=
                   std::min(1., nodes.mass[i] * inverse_full) * force * force;
-        reference = std::max(reference, supports);
+        reference = std::max(reference, reached.ranks().sum(supports));
       }
     // Not a number is not small: comparisons with it are false, and a residual
     // of 0 would pass for converged.
@@ -190,12 +201,12 @@ namespace Waker
   {
     const double *const r   = R.begin();
     double              sum = 0.;
-    for (const auto &run : reached)
+    for (const auto &run : reached.owned())
       for (std::size_t i = run.begin; i < run.end; ++i)
         for (unsigned int c = 0; c < dim; ++c)
           sum += std::min(1., mass[i] / full_node_mass) * r[dim * i + c] *
                  r[dim * i + c];
-    return std::sqrt(sum / reference);
+    return std::sqrt(reached.ranks().sum(sum) / reference);
   }
 
 
@@ -301,6 +312,7 @@ namespace Waker
             report.converged = true;
             return report;
           }
+        reached.ranks().send_to_others({{correction.begin(), dim}});
         nodes.increment += correction;
       }
   }

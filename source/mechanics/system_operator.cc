@@ -29,11 +29,20 @@ namespace Waker
   void
   SystemOperator<dim>::vmult(NodalVector &dst, const NodalVector &src) const
   {
-    using Role = typename Resistance<dim>::Role;
-    dst        = 0.;
+    using Role                = typename Resistance<dim>::Role;
+    const NodeExchange &ranks = reached->ranks();
+    const NodalVector  *all   = &src;
+    if (!ranks.is_one_rank())
+      {
+        everywhere = src;
+        ranks.send_to_others({{everywhere.begin(), dim}});
+        all = &everywhere;
+      }
+    dst = 0.;
     for (const Resistance<dim> *const resistance : *resistances)
       if (resistance->role() != Role::support)
-        resistance->vmult_add(dst, src);
+        resistance->vmult_add(dst, *all);
+    ranks.add_to_owners({{dst.begin(), dim}});
     double *const       y = dst.begin();
     const double *const x = src.begin();
     const double *const m = mass->data();
@@ -42,11 +51,42 @@ namespace Waker
         for (unsigned int c = 0; c < dim; ++c)
           y[dim * i + c] =
             ramp * y[dim * i + c] + inertia * m[i] * x[dim * i + c];
-    for (const Resistance<dim> *const resistance : *resistances)
-      if (resistance->role() == Role::support)
-        resistance->vmult_add(dst, src);
+    if (ranks.is_one_rank())
+      add_supports(dst, src);
+    else if (has_supports())
+      {
+        // Of their own: their forces are not multiplied by the ramp.
+        of_supports.reinit(dst);
+        add_supports(of_supports, everywhere);
+        ranks.add_to_owners({{of_supports.begin(), dim}});
+        dst += of_supports;
+      }
     for (const unsigned int dof : *removed)
       y[dof] = 0.;
+  }
+
+
+  template <int dim>
+  bool
+  SystemOperator<dim>::has_supports() const
+  {
+    return std::any_of(resistances->begin(),
+                       resistances->end(),
+                       [](const Resistance<dim> *const resistance) {
+                         return resistance->role() ==
+                                Resistance<dim>::Role::support;
+                       });
+  }
+
+
+  template <int dim>
+  void
+  SystemOperator<dim>::add_supports(NodalVector       &dst,
+                                    const NodalVector &src) const
+  {
+    for (const Resistance<dim> *const resistance : *resistances)
+      if (resistance->role() == Resistance<dim>::Role::support)
+        resistance->vmult_add(dst, src);
   }
 
 
@@ -60,13 +100,17 @@ namespace Waker
     for (const Resistance<dim> *const resistance : *resistances)
       if (resistance->role() != Role::support)
         resistance->add_diagonal(K);
+    const NodeExchange &ranks = reached->ranks();
+    ranks.add_to_owners({{K.begin(), dim}});
     double *const y = diagonal.begin();
     for (std::size_t i = 0; i < mass->size(); ++i)
       for (unsigned int c = 0; c < dim; ++c)
         y[dim * i + c] += ramp * K.begin()[dim * i + c] + inertia * (*mass)[i];
+    ranks.clear_others({y, dim});
     for (const Resistance<dim> *const resistance : *resistances)
       if (resistance->role() == Role::support)
         resistance->add_diagonal(diagonal);
+    ranks.add_to_owners({{y, dim}});
     for (const unsigned int dof : *removed)
       y[dof] = 0.;
   }
@@ -107,7 +151,10 @@ namespace Waker
   }
 
 
-  LinearSolver::LinearSolver(const unsigned int n_dofs)
+  LinearSolver::LinearSolver(const unsigned int  n_dofs,
+                             const NodeExchange &ranks)
+    : gmres(ranks)
+    , is_one_rank(ranks.is_one_rank())
   {
     jacobi.get_vector().reinit(n_dofs);
   }
@@ -136,7 +183,7 @@ namespace Waker
   {
     x = 0.;
     LinearReport report;
-    if (A.is_symmetric())
+    if (A.is_symmetric() && is_one_rank)
       {
         ReductionControl control(
           max_iterations, 1e-300, tolerance, false, false);

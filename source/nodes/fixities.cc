@@ -64,10 +64,17 @@ namespace Waker
       Point<dim>  x;
     };
 
-    std::vector<Expression<dim>> expressions;
-    std::vector<std::string>     paths; // of their conditions
-    std::vector<Moved>           removed;
-    std::vector<Moved>           penalised;
+    /// A window shares those of the whole grid.
+    explicit Motion(std::shared_ptr<std::vector<Expression<dim>>> expressions)
+      : shared(std::move(expressions))
+      , expressions(*shared)
+    {}
+
+    std::shared_ptr<std::vector<Expression<dim>>> shared;
+    std::vector<Expression<dim>>                 &expressions;
+    std::vector<std::string>                      paths; // of their conditions
+    std::vector<Moved>                            removed;
+    std::vector<Moved>                            penalised;
 
     void
     increments(const std::vector<Moved> &moved,
@@ -110,7 +117,8 @@ namespace Waker
                           const std::vector<FixityParameters> &parameters,
                           const Openings<dim>                 &openings)
     : removed_dofs(grid.n_dofs(), 0)
-    , motion(std::make_unique<Motion>())
+    , motion(std::make_unique<Motion>(
+        std::make_shared<std::vector<Expression<dim>>>()))
   {
     // Of each dof: the expression that moves it, and its spring (0: none).
     std::vector<int>    eliminated_by(grid.n_dofs(), at_rest);
@@ -212,6 +220,68 @@ namespace Waker
         holds |= closed;
       }
     closed_face_bits &= holds;
+  }
+
+
+  template <int dim>
+  Fixities<dim>::Fixities(const Fixities            &whole,
+                          const BackgroundGrid<dim> &whole_grid,
+                          const BackgroundGrid<dim> &window)
+    : removed_dofs(window.n_dofs(), 0)
+    , moves(whole.moves)
+    , closed_face_bits(whole.closed_face_bits)
+    , motion(std::make_unique<Motion>(whole.motion->shared))
+  {
+    motion->paths = whole.motion->paths;
+    // Lattice lines of the window and of the grid have the same order: lists
+    // stay ascending.
+    const auto dof_of = [&](const unsigned int whole_dof) {
+      auto index = whole_grid.node_index(whole_dof / dim);
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          index[d] -= window.offset()[d];
+          if (index[d] < 0 ||
+              index[d] >= static_cast<int>(window.n_nodes_per_direction()[d]))
+            return numbers::invalid_unsigned_int;
+        }
+      return dim * window.node(index) + whole_dof % dim;
+    };
+    const auto take_motion = [](const auto       &moved,
+                                auto             &next,
+                                const std::size_t whole_place,
+                                const std::size_t place,
+                                auto             &mine) {
+      while (next != moved.end() && next->place < whole_place)
+        ++next;
+      if (next != moved.end() && next->place == whole_place)
+        mine.push_back({place, next->expression, next->x});
+    };
+    auto next = whole.motion->removed.cbegin();
+    for (std::size_t k = 0; k < whole.removed_dof_list.size(); ++k)
+      if (const unsigned int dof = dof_of(whole.removed_dof_list[k]);
+          dof != numbers::invalid_unsigned_int)
+        {
+          take_motion(whole.motion->removed,
+                      next,
+                      k,
+                      removed_dof_list.size(),
+                      motion->removed);
+          removed_dofs[dof] = 1;
+          removed_dof_list.push_back(dof);
+        }
+    next = whole.motion->penalised.cbegin();
+    for (std::size_t k = 0; k < whole.penalty_dofs.size(); ++k)
+      if (const unsigned int dof = dof_of(whole.penalty_dofs[k].dof);
+          dof != numbers::invalid_unsigned_int &&
+          window.exchange().owns(dof / dim))
+        {
+          take_motion(whole.motion->penalised,
+                      next,
+                      k,
+                      penalty_dofs.size(),
+                      motion->penalised);
+          penalty_dofs.push_back({dof, whole.penalty_dofs[k].factor});
+        }
   }
 
 

@@ -8,6 +8,7 @@ namespace Waker
   template <int dim>
   ReachedNodes::ReachedNodes(const BackgroundGrid<dim> &grid)
     : n{1, 1, 1}
+    , exchange(&grid.exchange())
   {
     for (unsigned int d = 0; d < dim; ++d)
       n[d] = grid.n_nodes_per_direction()[d];
@@ -50,6 +51,23 @@ namespace Waker
           runs.push_back(
             {line + begin - (begin > 0), line + std::min(end + 2, n[0])});
         }
+
+    if (exchange->is_one_rank())
+      return;
+    owned_runs.clear();
+    for (const Run &run : runs)
+      {
+        bool is_open = false;
+        for (std::size_t node = run.begin; node < run.end; ++node)
+          {
+            const bool is_own = exchange->owns(node);
+            if (is_own && !is_open)
+              owned_runs.push_back({node, node});
+            if (is_own)
+              owned_runs.back().end = node + 1;
+            is_open = is_own;
+          }
+      }
   }
 
 

@@ -9,9 +9,11 @@
 #include <waker/program/exit_codes.h>
 #include <waker/program/parameter_reader.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <signal.h>
+#include <thread>
 #include <unistd.h>
 
 namespace Waker
@@ -129,11 +131,11 @@ namespace Waker
     int
     run_one(const CommandLine &line, const Input &input)
     {
-      if (n_ranks() > 1)
+      if (n_ranks() > 1 && line.command == Command::strength_reduction)
         throw UserError("command line",
-                        "started on " + std::to_string(n_ranks()) + " ranks",
-                        "one rank per realisation for now; waker campaign "
-                        "takes any number");
+                        "a strength reduction is started on " +
+                          std::to_string(n_ranks()) + " ranks",
+                        "one rank for it, for now");
       RunOptions options;
       options.validate_only  = line.validate_only;
       options.resume         = line.resume;
@@ -251,6 +253,9 @@ namespace Waker
       {
         if (n_ranks() == 1)
           throw;
+        // The first rank meets most errors, too, and says so once for all.
+        if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) > 0)
+          std::this_thread::sleep_for(std::chrono::seconds(5));
         // The other ranks wait for this one, for ever: end them all.
         MPI_Abort(MPI_COMM_WORLD, report_exception());
         throw;

@@ -14,14 +14,16 @@ namespace Waker
 
   template <int dim>
   std::size_t
-  Carried<dim>::move(const NodalState &nodes, State<dim> &state) const
+  Carried<dim>::move(const NodalState    &nodes,
+                     MaterialPoints<dim> &points,
+                     State<dim>          &state) const
   {
     if (rides)
       for (std::vector<Point<dim>> &vertices : state.surface_vertices)
         carry_vertices(the_case->grid, nodes, vertices);
     return move_domains(the_case->parameters.mapping.domains,
                         the_case->grid.cell_size(),
-                        state.points);
+                        points);
   }
 
 

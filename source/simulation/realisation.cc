@@ -11,6 +11,10 @@ namespace Waker
 {
   namespace
   {
+    /// Between two looks at how the points are dealt out to the ranks.
+    constexpr unsigned int steps_between_balances = 20;
+
+
     /// The last change of what load programmes drive, also of the water in the
     /// ground that follows (s).
     template <int dim>
@@ -27,22 +31,12 @@ namespace Waker
   Realisation<dim>::Realisation(const Case<dim> &the_case, State<dim> &state)
     : the_case(&the_case)
     , state(&state)
-    , scene(the_case)
+    , part(make_rank_part(the_case, state.points))
+    , scene(the_case, part.get())
     , carried(the_case)
     , control(the_case.parameters.time, state)
   {
-    const SchemeInput<dim> input{the_case.grid,
-                                 scene.weights,
-                                 the_case.materials,
-                                 the_case.fixities,
-                                 the_case.parameters.time,
-                                 the_case.parameters.newton,
-                                 the_case.parameters.mapping,
-                                 the_case.parameters.gravity.acceleration,
-                                 the_case.full_node_mass,
-                                 scene.resistances()};
-    scheme_in_motion                     = make_time_scheme(input);
-    scheme_at_rest                       = make_scheme_at_rest(input);
+    make_schemes();
     const SlidingMassParameters &sliding = the_case.parameters.sliding;
     if (sliding.watch)
       slides.emplace(the_case.initial_points,
@@ -54,9 +48,30 @@ namespace Waker
 
 
   template <int dim>
+  void
+  Realisation<dim>::make_schemes()
+  {
+    const SchemeInput<dim> input{part ? *part->grid : the_case->grid,
+                                 part ? *part->weights : scene.weights,
+                                 the_case->materials,
+                                 part ? *part->fixities : the_case->fixities,
+                                 the_case->parameters.time,
+                                 the_case->parameters.newton,
+                                 the_case->parameters.mapping,
+                                 the_case->parameters.gravity.acceleration,
+                                 the_case->full_node_mass,
+                                 scene.resistances()};
+    scheme_in_motion = make_time_scheme(input);
+    scheme_at_rest   = make_scheme_at_rest(input);
+  }
+
+
+  template <int dim>
   StopReason
   Realisation<dim>::look()
   {
+    if (part && state->step % steps_between_balances == 0 && part->balance())
+      make_schemes();
     scene.map(state->points);      // to the nodes: 2.31, 2.32
     scene.find_surfaces(*state);   // 3.8-3.14, as far as they are asked for
     scene.set_loads(*state);       // weight, water, tractions: 2.27, 3.4
@@ -82,7 +97,7 @@ namespace Waker
   {
     try
       {
-        return scheme().solve(state->points, t, dt, nodes);
+        return scheme().solve(own_points(), t, dt, nodes);
       }
     catch (const NumericalFailure &)
       {
@@ -101,13 +116,14 @@ namespace Waker
   void
   Realisation<dim>::advance()
   {
-    const double          t     = state->time;
-    NodalState           &nodes = scene.nodes;
-    const StopParameters &stop  = the_case->parameters.stop;
+    const double          t      = state->time;
+    NodalState           &nodes  = scene.step_nodes();
+    MaterialPoints<dim>  &points = own_points();
+    const StopParameters &stop   = the_case->parameters.stop;
     if (is_at_rest(stop, state->rest, t))
       control.try_long_steps(stop.rest_duration);
     scene.begin_step();
-    settlements.begin(state->points);
+    settlements.begin(points);
     const double dt =
       control.solve([&]() { return wanted_step(); },
                     [&](const double tried) {
@@ -117,9 +133,12 @@ namespace Waker
                       return report = solve(t, tried, nodes);
                     });
     // Stress and motion: 2.33, 2.38-2.40, or 2.35-2.37
-    scheme().to_points(t, dt, nodes, state->points, report);
-    report.held_domains    = carried.move(nodes, *state); // domains, surfaces
-    state->settlement_rate = settlements.largest(state->points) / dt;
+    scheme().to_points(t, dt, nodes, points, report);
+    report.held_domains =
+      carried.move(nodes, points, *state); // domains, surfaces
+    state->settlement_rate = settlements.largest(points) / dt;
+    if (part)
+      end_step_on_ranks();
     report.check_finite(t + dt);
     state->energy += report;
     control.accept(dt, report); // time goes on
@@ -128,6 +147,36 @@ namespace Waker
                                 state->pore_water);
     the_case->flow.exchange(nodes, report, dt, *state); // inflow, outflow
     the_case->programmes.proceed(*state);               // loads go on: 6.2.1
+  }
+
+
+  template <int dim>
+  void
+  Realisation<dim>::end_step_on_ranks()
+  {
+    const NodeExchange &ranks = part->grid->exchange();
+    state->settlement_rate    = ranks.largest(state->settlement_rate);
+    report.held_domains       = static_cast<std::size_t>(
+      ranks.sum(static_cast<double>(report.held_domains)));
+    part->moved(state->points);
+  }
+
+
+  template <int dim>
+  void
+  Realisation<dim>::complete()
+  {
+    if (part)
+      part->complete(state->points, scene.nodes);
+  }
+
+
+  template <int dim>
+  bool
+  Realisation<dim>::any(const bool one_does) const
+  {
+    return part ? part->grid->exchange().largest(one_does ? 1. : 0.) > 0.
+                : one_does;
   }
 
 
@@ -150,6 +199,9 @@ namespace Waker
                                 parameters.initial_failure.limits);
     if (slides)
       slides->update(state->time, state->points, state->sliding);
+    if (slides && part)
+      part->point_exchange().take_scalar(
+        SlidingMassFinder<dim>::changed_scalar(), state->points);
   }
 
 

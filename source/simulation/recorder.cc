@@ -197,6 +197,14 @@ namespace Waker
 
 
   template <int dim>
+  bool
+  Recorder<dim>::writes_fields_at(const double time) const
+  {
+    return is_due(time, next_fields) || is_due(time, next_checkpoint);
+  }
+
+
+  template <int dim>
   void
   Recorder<dim>::checkpoint(const State<dim> &state, const bool now)
   {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/mpi.h>
+
 #include <waker/base/errors.h>
 #include <waker/base/file_error.h>
 #include <waker/base/log.h>
@@ -197,6 +199,56 @@ namespace Waker
     }
 
 
+    /// The state that the first rank has read.
+    template <int dim>
+    void
+    share_state(const MPI_Comm communicator, State<dim> &state)
+    {
+      if (Utilities::MPI::n_mpi_processes(communicator) == 1)
+        return;
+      const bool is_first = Utilities::MPI::this_mpi_process(communicator) == 0;
+      const std::string bytes =
+        Utilities::MPI::broadcast(communicator,
+                                  is_first ? state.write() : std::string());
+      if (!is_first)
+        state.read(bytes);
+    }
+
+
+    /// What the ranks after the first do, which alone has the folder and
+    /// speaks to the user.
+    template <int dim>
+    RunStatus
+    follow(const Parameters        &parameters,
+           const RunOptions        &options,
+           const MPI_Comm           communicator,
+           const InitialSetup<dim> &setup)
+    {
+      try
+        {
+          const Case<dim> the_case(parameters, communicator);
+          check_for_ranks(the_case);
+          State<dim> state = initial_state(the_case);
+          if (setup)
+            setup(the_case, state);
+          if (options.validate_only)
+            return RunStatus::completed;
+          if (options.resume)
+            share_state(communicator, state);
+          Realisation<dim> realisation(the_case, state);
+          Watcher          nobody;
+          return run_to_end(realisation, nobody, options.interrupt) ==
+                     StopReason::none
+                   ? RunStatus::interrupted
+                   : RunStatus::completed;
+        }
+      catch (const NumericalFailure &)
+        {
+          return RunStatus::numerical_failure;
+        }
+    }
+
+
     template <int dim>
     RunStatus
     run_in_folder(const Parameters        &parameters,
@@ -204,6 +256,8 @@ namespace Waker
                   const MPI_Comm           communicator,
                   const InitialSetup<dim> &setup)
     {
+      if (Utilities::MPI::this_mpi_process(communicator) > 0)
+        return follow(parameters, options, communicator, setup);
       const auto         start     = std::chrono::steady_clock::now();
       const std::string &directory = parameters.output.directory;
       if (!options.validate_only)
@@ -216,6 +270,7 @@ namespace Waker
       try
         {
           pointer = std::make_unique<const Case<dim>>(parameters, communicator);
+          check_for_ranks(*pointer);
         }
       catch (const NumericalFailure &failure)
         {
@@ -267,7 +322,10 @@ namespace Waker
       const FolderLock               lock = lock_folder(directory, "waker run");
       std::unique_ptr<Recorder<dim>> recorder;
       if (options.resume)
-        recorder = std::make_unique<Recorder<dim>>(parameters, state);
+        {
+          recorder = std::make_unique<Recorder<dim>>(parameters, state);
+          share_state(communicator, state);
+        }
       prepare_output_folder(directory, folder_mode(options), parameters.text);
       if (!options.resume)
         recorder = std::make_unique<Recorder<dim>>(parameters);

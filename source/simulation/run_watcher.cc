@@ -188,6 +188,14 @@ namespace Waker
 
 
   template <int dim>
+  bool
+  RunWatcher<dim>::wants_all() const
+  {
+    return is_new && recorder.writes_fields_at(state.time);
+  }
+
+
+  template <int dim>
   void
   RunWatcher<dim>::advanced()
   {

@@ -27,6 +27,9 @@ namespace Waker
     void
     looked(const StopReason stop, const bool last) override;
 
+    bool
+    wants_all() const override;
+
     void
     advanced() override;
 

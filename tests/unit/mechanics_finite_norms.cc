@@ -59,7 +59,8 @@ namespace mechanics_finite_norms
   {
     NodalVector b(10), x(10), inverse_diagonal(10);
     inverse_diagonal = 0.5;
-    Gmres gmres;
+    const NodeExchange one_rank(0);
+    Gmres              gmres(one_rank);
     gmres.prepare(inverse_diagonal);
     b = 1.;
     ASSERT_TRUE(gmres.solve(Twice(), x, b, 1e-6, 100).converged);

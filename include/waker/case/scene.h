@@ -19,6 +19,10 @@
 
 namespace Waker
 {
+  template <int dim>
+  class RankPart;
+
+
   /**
    * The nodes' side of a moment: weights, nodal state, surfaces and loads of
    * the points as they lie. Work space, made once and used in every step.
@@ -27,7 +31,10 @@ namespace Waker
   class Scene
   {
   public:
-    explicit Scene(const Case<dim> &the_case);
+    /// @param part on several ranks that of this one: nodes and weights are
+    ///        its own, and of the scene's nodes only mass and external force
+    ///        are known
+    explicit Scene(const Case<dim> &the_case, RankPart<dim> *part = nullptr);
 
     // The moment of a state, in this order.
 
@@ -110,6 +117,10 @@ namespace Waker
     Resistances<dim>
     resistances();
 
+    /// The nodes that a step is solved on.
+    NodalState &
+    step_nodes();
+
     /// Level of the water at a time (m).
     double
     water_level(const double time) const;
@@ -132,6 +143,7 @@ namespace Waker
                  const std::vector<LoadRecord> &records);
 
     const Case<dim> *the_case;
+    RankPart<dim>   *part; // none on one rank
     FacetLoad<dim>   point_loads;
     DrivenLoads<dim> driven;
   };

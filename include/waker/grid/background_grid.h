@@ -5,8 +5,11 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/point.h>
 
+#include <waker/grid/node_exchange.h>
+
 #include <array>
 #include <memory>
+#include <utility>
 
 namespace dealii
 {
@@ -42,13 +45,25 @@ namespace Waker
      * @param lower, upper corners of the box (m); upper - lower must be a
      *        multiple of the cell size in each direction
      * @param cell_size h (m)
-     * @param communicator of this realisation; one rank for now
+     * @param communicator of this realisation
      * @throws UserError (Grid/...) if the box is empty or not a multiple of h
      */
     BackgroundGrid(const Point<dim> &lower,
                    const Point<dim> &upper,
                    const double      cell_size,
                    const MPI_Comm    communicator);
+
+    /**
+     * A window of another grid: those nodes of it that one of several ranks has
+     * to do with, numbered like a grid of their own. The user's box remains
+     * that of the whole grid.
+     *
+     * @param first lattice index in `whole` of the window's node 0
+     * @param n_nodes per direction
+     */
+    BackgroundGrid(const BackgroundGrid                &whole,
+                   const Index                         &first,
+                   const std::array<unsigned int, dim> &n_nodes);
 
     ~BackgroundGrid();
 
@@ -83,6 +98,14 @@ namespace Waker
     origin() const
     {
       return node_origin;
+    }
+
+    /// That of node 0 of the whole grid: what places are measured from, so
+    /// that a point has the same weights in every window.
+    const Point<dim> &
+    lattice_origin() const
+    {
+      return whole_origin;
     }
 
     /// Number of nodes in each direction, margin included.
@@ -143,9 +166,9 @@ namespace Waker
     node_position(const unsigned int node) const
     {
       const Index index = node_index(node);
-      Point<dim>  x     = node_origin;
+      Point<dim>  x     = whole_origin;
       for (unsigned int d = 0; d < dim; ++d)
-        x[d] += h * index[d];
+        x[d] += h * (first_node[d] + index[d]);
       return x;
     }
 
@@ -158,9 +181,30 @@ namespace Waker
     bool
     contains(const Point<dim> &x, const double clearance = 0.) const;
 
-    /// The deal.II objects, for output and for future parallel partitions.
+    /// The deal.II objects; a window has none.
     const DoFHandler<dim, dim> &
     dof_handler() const;
+
+    /// Lattice index in the whole grid of node 0: not 0 in a window.
+    const Index &
+    offset() const
+    {
+      return first_node;
+    }
+
+    /// What the ranks tell each other of the nodes.
+    const NodeExchange &
+    exchange() const
+    {
+      return *node_exchange;
+    }
+
+    /// @param exchange for a window
+    void
+    set_exchange(std::shared_ptr<const NodeExchange> exchange)
+    {
+      node_exchange = std::move(exchange);
+    }
 
     MPI_Comm
     communicator() const
@@ -172,6 +216,7 @@ namespace Waker
     Point<dim>                    lower;
     Point<dim>                    upper;
     Point<dim>                    node_origin;
+    Point<dim>                    whole_origin;
     double                        h;
     double                        inverse_h;
     std::array<unsigned int, dim> n_nodes_1d;
@@ -179,9 +224,12 @@ namespace Waker
     unsigned int                  n_nodes_total;
     unsigned int                  n_cells_total;
     MPI_Comm                      mpi_communicator;
+    Index                         first_node = {};
+
+    std::shared_ptr<const NodeExchange> node_exchange;
 
     struct DealII;
-    std::unique_ptr<DealII> deal_ii;
+    std::unique_ptr<DealII> deal_ii; // none in a window
   };
 } // namespace Waker
 

@@ -150,6 +150,11 @@ namespace Waker
                       Crest<dim>                 crest,
                       const double               limit);
 
+    /// The scalar of the points that update() changes.
+    static const char *
+    changed_scalar();
+
+
     /// Give the points their scalars, at t = 0.
     static void
     start(MaterialPoints<dim> &points);

@@ -2,6 +2,7 @@
 #ifndef waker_mechanics_gmres_h
 #define waker_mechanics_gmres_h
 
+#include <waker/grid/node_exchange.h>
 #include <waker/nodes/operator.h>
 
 #include <vector>
@@ -20,11 +21,18 @@ namespace Waker
    * algorithm 9.5), on the equations that exist: most nodes of the grid hold no
    * soil, with memory that is kept. Why not deal.II's: it needs the same
    * iterations and 1.3 to 1.9 times the time in 2D, 1.0 to 1.2 in 3D
-   * (doc/verification/performance.md).
+   * (doc/verification/performance.md). On several ranks, whose vectors are 0 at
+   * the nodes of others, an iteration has one sum over all ranks: Gram-Schmidt
+   * is the classical one there, once more where digits have been lost.
    */
   class Gmres
   {
   public:
+    /// @param ranks must outlive this object
+    explicit Gmres(const NodeExchange &ranks)
+      : ranks(&ranks)
+    {}
+
     /// @param inverse_diagonal the preconditioner; 0 where there is no equation
     void
     prepare(const NodalVector &inverse_diagonal);
@@ -49,6 +57,13 @@ namespace Waker
             const std::vector<double> &v,
             std::vector<double>       &w);
 
+    /// Take from w what it has of the first `n` basis vectors.
+    /// @param h out: how much of each; unchanged are the others
+    /// @return the length of what remains
+    double
+    orthogonalise(std::vector<double> &w, const unsigned int n, double *h);
+
+    const NodeExchange              *ranks;
     std::vector<unsigned int>        dofs;
     std::vector<double>              preconditioner;
     std::vector<std::vector<double>> basis;

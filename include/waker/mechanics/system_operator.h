@@ -47,13 +47,21 @@ namespace Waker
     is_symmetric() const override;
 
   private:
+    bool
+    has_supports() const;
+
+    /// dst += K src of the supports
+    void
+    add_supports(NodalVector &dst, const NodalVector &src) const;
+
     const Resistances<dim>          *resistances;
     double                           ramp;
     double                           inertia;
     const std::vector<double>       *mass;
     const ReachedNodes              *reached;
     const std::vector<unsigned int> *removed;
-    mutable NodalVector              stiffness_diagonal; // work space
+    // Work space; the last two on several ranks only.
+    mutable NodalVector stiffness_diagonal, everywhere, of_supports;
   };
 
 
@@ -97,11 +105,15 @@ namespace Waker
    * gradients if A says it is symmetric (GMRES if that breaks down in
    * softening), else by GMRES. `x` holds the best iterate even without
    * convergence.
+   *
+   * On several ranks vectors are those of a rank's window, 0 at the nodes of
+   * others; GMRES solves there in any case.
    */
   class LinearSolver
   {
   public:
-    explicit LinearSolver(const unsigned int n_dofs);
+    /// @param ranks that share the nodes
+    LinearSolver(const unsigned int n_dofs, const NodeExchange &ranks);
 
     /// Take the preconditioner from this operator's diagonal.
     void
@@ -119,6 +131,7 @@ namespace Waker
   private:
     DiagonalMatrix<NodalVector> jacobi;
     Gmres                       gmres;
+    bool                        is_one_rank;
   };
 } // namespace Waker
 

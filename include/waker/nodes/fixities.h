@@ -177,6 +177,13 @@ namespace Waker
       : Fixities(grid, parameters, Openings<dim>(grid))
     {}
 
+    /// Those of a window: removed are the equations of all of its nodes,
+    /// springs are those of the nodes that this rank owns. The faces that are
+    /// closed are those of the whole grid.
+    Fixities(const Fixities            &whole,
+             const BackgroundGrid<dim> &whole_grid,
+             const BackgroundGrid<dim> &window);
+
     ~Fixities();
     Fixities(Fixities &&);
 

@@ -42,10 +42,27 @@ namespace Waker
       return runs.end();
     }
 
+    /// Those of them that this rank owns: what sums over the nodes go over
+    /// before the ranks add them up (NodeExchange). On one rank all.
+    const std::vector<Run> &
+    owned() const
+    {
+      return exchange->is_one_rank() ? runs : owned_runs;
+    }
+
+    /// What the ranks tell each other of the nodes.
+    const NodeExchange &
+    ranks() const
+    {
+      return *exchange;
+    }
+
   private:
     unsigned int              n[3];        // nodes per direction, 1 in z in 2D
     std::vector<unsigned int> first, last; // with mass, per line; n[0], 0: none
     std::vector<Run>          runs;
+    std::vector<Run>          owned_runs; // empty on one rank
+    const NodeExchange       *exchange;
   };
 } // namespace Waker
 

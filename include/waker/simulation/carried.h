@@ -17,9 +17,12 @@ namespace Waker
     explicit Carried(const Case<dim> &the_case);
 
     /// After a step, of which the points have taken the stress.
+    /// @param points whose domains move: on several ranks those of this one
     /// @return number of domains that were held at the length of a cell
     std::size_t
-    move(const NodalState &nodes, State<dim> &state) const;
+    move(const NodalState    &nodes,
+         MaterialPoints<dim> &points,
+         State<dim>          &state) const;
 
   private:
     const Case<dim> *the_case;

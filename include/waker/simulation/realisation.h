@@ -3,6 +3,7 @@
 #define waker_simulation_realisation_h
 
 #include <waker/case/case.h>
+#include <waker/case/rank_part.h>
 #include <waker/case/scene.h>
 #include <waker/case/state.h>
 #include <waker/control/outcome.h>
@@ -51,6 +52,16 @@ namespace Waker
     StepView<dim>
     view() const;
 
+    /// On several ranks steps leave behind what nobody has asked for: from now
+    /// on until the next step all of the state and the nodes is as it should
+    /// be. Collective.
+    void
+    complete();
+
+    /// Does one of the ranks say so? Collective.
+    bool
+    any(const bool one_does) const;
+
     /// The step that advance() would take next (s).
     double
     next_time_step() const;
@@ -79,11 +90,27 @@ namespace Waker
     double
     last_load_change() const;
 
+    void
+    make_schemes();
+
+    /// What the ranks tell each other after a step.
+    void
+    end_step_on_ranks();
+
+    /// Those that this rank computes.
+    MaterialPoints<dim> &
+    own_points()
+    {
+      return part ? part->points() : state->points;
+    }
+
     const Case<dim> *the_case;
     State<dim>      *state;
-    Scene<dim>       scene;
-    Carried<dim>     carried;
-    Settlements<dim> settlements;
+    /// None on one rank.
+    std::unique_ptr<RankPart<dim>> part;
+    Scene<dim>                     scene;
+    Carried<dim>                   carried;
+    Settlements<dim>               settlements;
     /// If sliding masses are watched.
     std::optional<SlidingMassFinder<dim>> slides;
     StepControl<dim>                      control;

@@ -45,6 +45,11 @@ namespace Waker
     void
     record(const StepView<dim> &view, const bool last);
 
+    /// Will record() or checkpoint() at this time (s) write the points?
+    bool
+    writes_fields_at(const double time) const;
+
+
     /// A checkpoint if it is time, or if `now`. Comes after record().
     void
     checkpoint(const State<dim> &state, const bool now);

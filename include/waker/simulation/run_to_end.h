@@ -20,6 +20,14 @@ namespace Waker
     looked(const StopReason /*stop*/, const bool /*last*/)
     {}
 
+    /// Will looked() ask for more of the moment than what each step leaves:
+    /// places and velocities of the points, and what is measured?
+    virtual bool
+    wants_all() const
+    {
+      return false;
+    }
+
     /// It has made a step, at the end of which it has not looked yet.
     virtual void
     advanced()
@@ -44,7 +52,10 @@ namespace Waker
     while (true)
       {
         const StopReason stop = realisation.look();
-        const bool last = stop != StopReason::none || interrupt.has_come();
+        const bool       last =
+          stop != StopReason::none || realisation.any(interrupt.has_come());
+        if (realisation.any(last || watcher.wants_all()))
+          realisation.complete();
         watcher.looked(stop, last);
         if (last)
           return stop;

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_particles_point_exchange_h
+#define waker_particles_point_exchange_h
+
+#include <waker/grid/partition.h>
+#include <waker/particles/material_points.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace Waker
+{
+  /**
+   * The points of a body, dealt out to the ranks of a realisation: each rank
+   * has those in its own cells, with all of their arrays, and knows their
+   * places among the points of the whole body, of which every rank has a copy.
+   * That copy is right where it has last been gathered.
+   *
+   * All functions but the const ones are collective.
+   */
+  template <int dim>
+  class PointExchange
+  {
+  public:
+    /// Take from the whole body, which each rank has, what lies in the own
+    /// cells.
+    PointExchange(const Partition<dim>      &partition,
+                  const MPI_Comm             communicator,
+                  const MaterialPoints<dim> &whole);
+
+    MaterialPoints<dim> &
+    own()
+    {
+      return points;
+    }
+
+    /**
+     * Points go to the ranks whose cells they lie in, over any distance.
+     * @return how many have gone, on all ranks together
+     * @throws std::logic_error if the ranks together have not as many points as
+     *         before: a bug
+     */
+    std::size_t
+    send_home(const Partition<dim> &partition);
+
+    /// What steps change of the places of points: position, velocity, domain,
+    /// volume.
+    void
+    gather_places(MaterialPoints<dim> &whole) const;
+
+    /// All of their arrays.
+    void
+    gather(MaterialPoints<dim> &whole) const;
+
+    /// The other way: a scalar that has changed in the whole body.
+    void
+    take_scalar(const std::string &name, const MaterialPoints<dim> &whole);
+
+    /// Points of the rank that has most, over those of the mean rank.
+    double
+    imbalance() const;
+
+  private:
+    void
+    gather(MaterialPoints<dim> &whole, const bool places_only) const;
+
+    MPI_Comm                   communicator;
+    std::size_t                n_whole;
+    MaterialPoints<dim>        points;
+    std::vector<std::uint32_t> places; // of the own points in the whole body
+  };
+} // namespace Waker
+
+#endif

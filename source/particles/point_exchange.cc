@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/mpi.h>
+
+#include <waker/particles/point_exchange.h>
+
+#include <algorithm>
+#include <cstring>
+#include <functional>
+#include <numeric>
+#include <stdexcept>
+
+namespace Waker
+{
+  namespace
+  {
+    /// An array of points as bytes.
+    struct Bytes
+    {
+      std::size_t                        size; // of a value
+      char                              *data;
+      std::function<char *(std::size_t)> resize; // to n values; the new data
+    };
+
+
+    template <typename T>
+    Bytes
+    bytes_of(std::vector<T> &array)
+    {
+      return {sizeof(T),
+              reinterpret_cast<char *>(array.data()),
+              [&array](const std::size_t n) {
+                array.resize(n);
+                return reinterpret_cast<char *>(array.data());
+              }};
+    }
+
+
+    /// Do points have this array? A rank without points asks the whole body.
+    template <int dim>
+    std::vector<bool>
+    arrays_in_use(const MaterialPoints<dim> &whole)
+    {
+      std::vector<bool> used;
+      MaterialPoints<dim>::for_each_array(whole,
+                                          [&](const char *, const auto &array) {
+                                            used.push_back(!array.empty());
+                                          });
+      return used;
+    }
+
+
+    template <int dim>
+    std::vector<Bytes>
+    bytes_of_points(MaterialPoints<dim> &points, const std::vector<bool> &used)
+    {
+      std::vector<Bytes> bytes;
+      std::size_t        k = 0;
+      MaterialPoints<dim>::for_each_array(points,
+                                          [&](const char *, auto &array) {
+                                            if (used[k++])
+                                              bytes.push_back(bytes_of(array));
+                                          });
+      return bytes;
+    }
+
+
+    std::size_t
+    bytes_per_point(const std::vector<Bytes> &arrays)
+    {
+      return std::accumulate(arrays.begin(),
+                             arrays.end(),
+                             std::size_t(0),
+                             [](const std::size_t sum, const Bytes &array) {
+                               return sum + array.size;
+                             });
+    }
+
+
+    /// Numbers of bytes, as MPI wants them.
+    std::vector<int>
+    times(const std::vector<int> &n, const std::size_t size)
+    {
+      std::vector<int> result;
+      for (const int count : n)
+        {
+          AssertThrow(count * size < 2147483648u,
+                      ExcMessage(
+                        "a message to another rank of more than 2 GB"));
+          result.push_back(count * size);
+        }
+      return result;
+    }
+
+
+    std::vector<int>
+    offsets(const std::vector<int> &n)
+    {
+      std::vector<int> result(n.size() + 1, 0);
+      std::partial_sum(n.begin(), n.end(), result.begin() + 1);
+      return result;
+    }
+  } // namespace
+
+
+  template <int dim>
+  PointExchange<dim>::PointExchange(const Partition<dim>      &partition,
+                                    const MPI_Comm             communicator,
+                                    const MaterialPoints<dim> &whole)
+    : communicator(communicator)
+    , n_whole(whole.n_points())
+    , points(whole)
+  {
+    const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
+    for (std::size_t p = 0; p < n_whole; ++p)
+      if (partition.owner(whole.position[p]) == rank)
+        places.push_back(p);
+    MaterialPoints<dim>::for_each_array(points, [&](const char *, auto &array) {
+      if (array.empty())
+        return;
+      auto next = array.begin();
+      for (const std::uint32_t p : places)
+        *next++ = array[p];
+      array.erase(next, array.end());
+      array.shrink_to_fit();
+    });
+  }
+
+
+  template <int dim>
+  std::size_t
+  PointExchange<dim>::send_home(const Partition<dim> &partition)
+  {
+    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+    const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator);
+    std::vector<unsigned int> to(points.n_points());
+    std::vector<int>          n_out(n_ranks, 0), n_in(n_ranks, 0);
+    for (std::size_t p = 0; p < to.size(); ++p)
+      {
+        to[p] = partition.owner(points.position[p]);
+        if (to[p] != rank)
+          ++n_out[to[p]];
+      }
+    unsigned long long n_moved =
+      std::accumulate(n_out.begin(), n_out.end(), 0ull);
+    MPI_Allreduce(
+      MPI_IN_PLACE, &n_moved, 1, MPI_UNSIGNED_LONG_LONG, MPI_SUM, communicator);
+    if (n_moved == 0)
+      return 0;
+    MPI_Alltoall(
+      n_out.data(), 1, MPI_INT, n_in.data(), 1, MPI_INT, communicator);
+
+    // A rank without points has none of the arrays: the others tell.
+    std::vector<bool> used = arrays_in_use(points);
+    std::vector<int>  flags(used.begin(), used.end());
+    MPI_Allreduce(
+      MPI_IN_PLACE, flags.data(), flags.size(), MPI_INT, MPI_MAX, communicator);
+    used.assign(flags.begin(), flags.end());
+
+    std::vector<Bytes> arrays = bytes_of_points(points, used);
+    arrays.push_back(bytes_of(places));
+    const std::size_t      size      = bytes_per_point(arrays);
+    const std::vector<int> out       = times(n_out, size);
+    const std::vector<int> in        = times(n_in, size);
+    const std::vector<int> begin_out = offsets(out), begin_in = offsets(in);
+    std::vector<char>      to_send(begin_out.back()), received(begin_in.back());
+
+    // Of each leaving point all arrays; those that stay close the gaps.
+    std::vector<int> next = begin_out;
+    std::size_t      n    = 0;
+    for (std::size_t p = 0; p < to.size(); ++p)
+      {
+        if (to[p] != rank)
+          for (const Bytes &array : arrays)
+            {
+              std::memcpy(to_send.data() + next[to[p]],
+                          array.data + p * array.size,
+                          array.size);
+              next[to[p]] += array.size;
+            }
+        else
+          {
+            if (n != p)
+              for (const Bytes &array : arrays)
+                std::memcpy(array.data + n * array.size,
+                            array.data + p * array.size,
+                            array.size);
+            ++n;
+          }
+      }
+    MPI_Alltoallv(to_send.data(),
+                  out.data(),
+                  begin_out.data(),
+                  MPI_BYTE,
+                  received.data(),
+                  in.data(),
+                  begin_in.data(),
+                  MPI_BYTE,
+                  communicator);
+    const std::size_t n_received = received.size() / size;
+    for (Bytes &array : arrays)
+      array.data = array.resize(n + n_received);
+    const char *from = received.data();
+    for (std::size_t p = n; p < n + n_received; ++p)
+      for (const Bytes &array : arrays)
+        {
+          std::memcpy(array.data + p * array.size, from, array.size);
+          from += array.size;
+        }
+
+    unsigned long long n_all = points.n_points();
+    MPI_Allreduce(
+      MPI_IN_PLACE, &n_all, 1, MPI_UNSIGNED_LONG_LONG, MPI_SUM, communicator);
+    if (n_all != n_whole)
+      throw std::logic_error("points have got lost between the ranks");
+    return n_moved;
+  }
+
+
+  template <int dim>
+  void
+  PointExchange<dim>::gather(MaterialPoints<dim> &whole,
+                             const bool           places_only) const
+  {
+    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+    // To be read only.
+    auto              &mine = const_cast<MaterialPoints<dim> &>(points);
+    std::vector<Bytes> from, to;
+    if (places_only)
+      {
+        from = {bytes_of(mine.position),
+                bytes_of(mine.velocity),
+                bytes_of(mine.half_size),
+                bytes_of(mine.volume)};
+        to   = {bytes_of(whole.position),
+                bytes_of(whole.velocity),
+                bytes_of(whole.half_size),
+                bytes_of(whole.volume)};
+      }
+    else
+      {
+        const std::vector<bool> used = arrays_in_use(whole);
+        from                         = bytes_of_points(mine, used);
+        to                           = bytes_of_points(whole, used);
+      }
+    from.push_back(bytes_of(const_cast<std::vector<std::uint32_t> &>(places)));
+    const std::size_t size = bytes_per_point(from);
+
+    const std::size_t n = points.n_points();
+    std::vector<int>  all_n(n_ranks);
+    const int         my_n = n;
+    MPI_Allgather(&my_n, 1, MPI_INT, all_n.data(), 1, MPI_INT, communicator);
+    const std::vector<int> in = times(all_n, size), begin_in = offsets(in);
+    // Array after array.
+    std::vector<char> to_send(n * size), received(begin_in.back());
+    char             *next = to_send.data();
+    for (const Bytes &array : from)
+      {
+        std::memcpy(next, array.data, n * array.size);
+        next += n * array.size;
+      }
+    MPI_Allgatherv(to_send.data(),
+                   to_send.size(),
+                   MPI_BYTE,
+                   received.data(),
+                   in.data(),
+                   begin_in.data(),
+                   MPI_BYTE,
+                   communicator);
+    std::vector<std::uint32_t> there;
+    for (unsigned int r = 0; r < n_ranks; ++r)
+      {
+        const char *const block = received.data() + begin_in[r];
+        there.resize(all_n[r]);
+        std::memcpy(there.data(),
+                    block + all_n[r] * (size - sizeof(std::uint32_t)),
+                    all_n[r] * sizeof(std::uint32_t));
+        const char *value = block;
+        for (const Bytes &array : to)
+          for (const std::uint32_t p : there)
+            {
+              std::memcpy(array.data + p * array.size, value, array.size);
+              value += array.size;
+            }
+      }
+  }
+
+
+  template <int dim>
+  void
+  PointExchange<dim>::gather_places(MaterialPoints<dim> &whole) const
+  {
+    gather(whole, true);
+  }
+
+
+  template <int dim>
+  void
+  PointExchange<dim>::gather(MaterialPoints<dim> &whole) const
+  {
+    gather(whole, false);
+  }
+
+
+  template <int dim>
+  void
+  PointExchange<dim>::take_scalar(const std::string         &name,
+                                  const MaterialPoints<dim> &whole)
+  {
+    const std::vector<double> &from = whole.scalar(name);
+    std::vector<double>       &to   = points.scalar(name);
+    for (std::size_t p = 0; p < places.size(); ++p)
+      to[p] = from[places[p]];
+  }
+
+
+  template <int dim>
+  double
+  PointExchange<dim>::imbalance() const
+  {
+    const double n    = static_cast<double>(points.n_points());
+    const double most = Utilities::MPI::max(n, communicator);
+    return most * Utilities::MPI::n_mpi_processes(communicator) /
+           static_cast<double>(std::max<std::size_t>(n_whole, 1));
+  }
+
+
+  template class PointExchange<2>;
+  template class PointExchange<3>;
+} // namespace Waker

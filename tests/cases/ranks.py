@@ -1,0 +1,202 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""One realisation on several ranks is the one on one rank: with tight tolerances
+equal to 1e-10 after 20 steps, in the statistics and in each material point.
+
+usage: ranks.py WAKER SOURCE_DIRECTORY [UNIT_TESTS] [CASE...]
+
+Also: a run on three ranks that is interrupted and goes on on two; what is
+refused; the unit tests of partition and exchange on three ranks.
+"""
+import glob
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+import meshio
+import numpy as np
+
+tight = ["Newton/Tolerance=1e-12", "Newton/Linear tolerance=1e-12",
+         "Newton/Maximum iterations=50", "Newton/Maximum linear iterations=5000",
+         "Gravity/Tolerance=1e-12"]
+# Name: file, settings, time step (s), ranks.
+cases = {
+    "weak dyke": ("chapter5/dyke_weak.prm", ["Grid/Cell size=0.5",
+                                             "Time stepping/Ramp duration=0"],
+                  0.01, (2, 3, 4)),
+    "contour": ("chapter5/dyke_weak.prm", ["Grid/Cell size=0.5",
+                                           "Surface/Method=contour",
+                                           "Time stepping/Ramp duration=0"],
+                0.01, (2, 3)),
+    "pore water": ("verification/dyke_rising_line.prm",
+                   ["Kinematics and mapping/Volumetric strain=standard"], 0.01, (2, 3)),
+    "slice": ("verification/dyke_slice.prm", ["Grid/Cell size=0.5"], 0.01,
+              (2, 3)),
+}
+n_steps = 20
+
+
+ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1",
+                   OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+                   OMPI_MCA_rmaps_base_oversubscribe="1",
+                   OMPI_MCA_mpi_yield_when_idle="1", OMP_NUM_THREADS="1")
+
+
+def call(words, n_ranks):
+    if n_ranks > 1:
+        words = ["mpirun", "-n", str(n_ranks)] + words
+    return subprocess.run(words, env=ENVIRONMENT, capture_output=True, text=True)
+
+
+def run(waker, file, settings, folder, n_ranks, *flags):
+    words = [waker, "run", file, "--set", "Output/Directory=" + folder, *flags]
+    for setting in settings:
+        words += ["--set", setting]
+    done = call(words, n_ranks)
+    if done.returncode != 0:
+        sys.exit(f"{' '.join(words)}\nends with {done.returncode}:\n"
+                 + done.stdout[-2000:] + done.stderr[-2000:])
+
+
+def statistics(folder):
+    names, rows = [], []
+    with open(os.path.join(folder, "statistics")) as file:
+        for line in file:
+            if line.startswith("#"):
+                names.append(line.split(":", 1)[1].strip())
+            else:
+                rows.append([float(word) for word in line.split()])
+    return names, np.array(rows)
+
+
+def last_points(folder):
+    files = sorted(glob.glob(os.path.join(folder, "**", "particles*.vtu"),
+                             recursive=True))
+    mesh = meshio.read(files[-1])
+    fields = {name: np.asarray(values, dtype=float)
+              for name, values in mesh.point_data.items()}
+    fields["position"] = np.asarray(mesh.points)
+    return fields
+
+
+def difference(a, b):
+    scale = np.abs(a).max()
+    if scale == 0.:
+        return np.abs(b).max()
+    return np.abs(a - b).max() / scale
+
+
+def compare(one, many):
+    """Largest difference, relative to the column's or field's largest value."""
+    worst = (0., "")
+    names, a = statistics(one)
+    _, b = statistics(many)
+    if a.shape != b.shape:
+        sys.exit(f"{one}: {a.shape} rows and columns, {many}: {b.shape}")
+    # Iterations are no result; differences of large numbers have the round-off
+    # of those.
+    skip = ("iterations", "Residual", "Wall", "Linear", "remainder", "Remainder")
+    energy = max(np.abs(a[:, i]).max() for i, name in enumerate(names)
+                 if "kJ" in name) if any("kJ" in n for n in names) else 0.
+    for i, name in enumerate(names):
+        if any(word in name for word in skip):
+            continue
+        d = difference(a[:, i], b[:, i])
+        if "kJ" in name and energy > 0.:
+            d = np.abs(a[:, i] - b[:, i]).max() / energy
+        worst = max(worst, (d, name))
+    p, q = last_points(one), last_points(many)
+    for name in p:
+        worst = max(worst, (difference(p[name], q[name]), "point " + name))
+    return worst
+
+
+def resume_elsewhere(waker, path, settings, work):
+    """Half of the steps on three ranks, the others on two."""
+    one, many = os.path.join(work, "one"), os.path.join(work, "resumed")
+    run(waker, path, settings, one, 1)
+    # Each step a checkpoint: what a kill leaves behind is that of some step.
+    settings = settings + ["Output/Checkpoint interval=0.01"]
+    words = ["mpirun", "-n", "3", waker, "run", path, "--set",
+             "Output/Directory=" + many]
+    for setting in settings:
+        words += ["--set", setting]
+    process = subprocess.Popen(words, env=ENVIRONMENT, stdout=subprocess.DEVNULL,
+                               stderr=subprocess.DEVNULL, start_new_session=True)
+    while process.poll() is None:
+        try:
+            if len(statistics(many)[1]) >= n_steps // 2:
+                os.killpg(process.pid, signal.SIGKILL)
+        except (OSError, ValueError, IndexError):
+            pass
+        time.sleep(0.01)
+    was_killed = process.returncode != 0
+    run(waker, path, settings, many, 2, "--resume")
+    d, where = compare(one, many)
+    print(f"killed on 3 ranks ({was_killed}), resumed on 2: {d:.1e} ({where})")
+    return d < 1e-10
+
+
+def refusals(waker, source):
+    """Three lines, once, exit code 2."""
+    good = True
+    for file, setting, where in (
+            ("chapter5/dyke_weak.prm", "Time stepping/Scheme=explicit",
+             "Time stepping/Scheme"),
+            ("chapter5/dyke_weak.prm",
+             "Kinematics and mapping/Volumetric strain=B-bar",
+             "Volumetric strain"),
+            ("chapter3/inclined_wall.prm", "Output/Grid=false", "Walls"),
+            ("chapter3/flow.prm", "Output/Grid=false", "flow")):
+        with tempfile.TemporaryDirectory() as work:
+            done = call([waker, "run", os.path.join(source, "parameters", file),
+                         "--set", "Output/Directory=" + work + "/out",
+                         "--set", setting], 2)
+            if done.returncode != 2 or where not in done.stderr \
+                    or "ranks" not in done.stderr \
+                    or done.stderr.count("allowed:") != 1:
+                print(f"{file}, {setting}: ends with {done.returncode}\n"
+                      + done.stderr)
+                good = False
+    return good
+
+
+def main():
+    waker, source = os.path.abspath(sys.argv[1]), sys.argv[2]
+    rest = sys.argv[3:]
+    bad = 0
+    if rest and rest[0] not in cases:
+        done = call([os.path.abspath(rest.pop(0)), "--gtest_brief=1",
+                     "--gtest_filter=Ranks.*"], 3)
+        if done.returncode != 0:
+            print(done.stdout + done.stderr)
+            bad += 1
+        bad += not refusals(waker, source)
+    for name in rest or list(cases):
+        file, settings, step, ranks = cases[name]
+        settings = settings + tight
+        settings += [f"Time stepping/Time step={step}",
+                     f"Time stepping/End time={n_steps * step}",
+                     f"Output/Interval={n_steps * step}"]
+        path = os.path.join(source, "parameters", file)
+        with tempfile.TemporaryDirectory() as work:
+            one = os.path.join(work, "one")
+            run(waker, path, settings, one, 1)
+            for n in ranks:
+                many = os.path.join(work, str(n))
+                run(waker, path, settings, many, n)
+                d, where = compare(one, many)
+                print(f"{name}, {n} ranks: {d:.1e} ({where})")
+                bad += not d < 1e-10
+        if name == "weak dyke":
+            with tempfile.TemporaryDirectory() as work:
+                bad += not resume_elsewhere(waker, path, settings, work)
+    if bad:
+        sys.exit(f"{bad} of the checks have failed")
+
+
+if __name__ == "__main__":
+    main()
