@@ -109,8 +109,14 @@ def compare(one, many):
             d = np.abs(a[:, i] - b[:, i]).max() / energy
         worst = max(worst, (d, name))
     p, q = last_points(one), last_points(many)
+    # Shear stresses of a slice that moves in its plane are round-off.
+    stress = max((np.abs(p[name]).max() for name in p if name.startswith("stress")),
+                 default=0.)
     for name in p:
-        worst = max(worst, (difference(p[name], q[name]), "point " + name))
+        d = difference(p[name], q[name])
+        if name.startswith("stress") and stress > 0.:
+            d = np.abs(p[name] - q[name]).max() / stress
+        worst = max(worst, (d, "point " + name))
     return worst
 
 
