@@ -36,10 +36,10 @@ namespace Waker
         // What is mass of the points already weighs by itself.
         const double in_mass =
           programme.weight.mass == LoadMass::with_mass ? now : 0.;
-        add_weight(carried_load(programme, scene.points),
+        add_weight(carried_load(programme, scene.own_points),
                    factor - in_mass,
-                   scene.weights,
-                   scene.force);
+                   scene.own_weights,
+                   scene.own_force);
       }
 
     private:

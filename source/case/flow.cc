@@ -3,6 +3,7 @@
 #include <waker/base/numbers.h>
 #include <waker/base/text.h>
 #include <waker/case/flow.h>
+#include <waker/case/rank_part.h>
 #include <waker/case/state.h>
 #include <waker/particles/removal.h>
 
@@ -231,18 +232,21 @@ namespace Waker
 
   template <int dim>
   Tensor<1, dim>
-  Flow<dim>::force(const NodalState      &nodes,
+  Flow<dim>::force(const NodeExchange    &ranks,
+                   const NodalState      &nodes,
                    const StepReport<dim> &report,
                    const double           t) const
   {
     if (!scheme.has_inertia)
       return Tensor<1, dim>(); // no inertia, no impulse
-    Tensor<1, dim>      sum      = report.reaction;
+    Tensor<1, dim>      sum;
     const double *const external = nodes.external_force.begin();
     for (std::size_t i = 0; i < nodes.mass.size(); ++i)
-      for (unsigned int c = 0; c < dim; ++c)
-        sum[c] += external[dim * i + c];
-    return residual_ramp(t, ramp_duration) * sum;
+      if (ranks.owns(i))
+        for (unsigned int c = 0; c < dim; ++c)
+          sum[c] += external[dim * i + c];
+    ranks.sum(&sum[0], dim);
+    return residual_ramp(t, ramp_duration) * (report.reaction + sum);
   }
 
 
@@ -251,22 +255,35 @@ namespace Waker
   Flow<dim>::exchange(const NodalState      &nodes,
                       const StepReport<dim> &report,
                       const double           dt,
-                      State<dim>            &state) const
+                      State<dim>            &state,
+                      RankPart<dim> *const   part) const
   {
     if (!is_used())
       return;
+    const NodeExchange &ranks =
+      part != nullptr ? part->grid->exchange() : grid->exchange();
     FlowAccount<dim>    &account = state.flow;
-    const Tensor<1, dim> now     = force(nodes, report, state.time);
+    const Tensor<1, dim> now     = force(ranks, nodes, report, state.time);
     account.impulse += dt * (scheme.start_of_impulse * account.force +
                              (1. - scheme.start_of_impulse) * now);
     account.force = now;
 
     if (!outlets.empty())
-      remove(state);
+      remove(state, part);
+    if (!feeders.empty())
+      feed(state, part);
+  }
+
+
+  template <int dim>
+  void
+  Flow<dim>::feed(State<dim> &state, RankPart<dim> *const part) const
+  {
+    FlowAccount<dim>    &account = state.flow;
+    MaterialPoints<dim> &points  = state.points;
     for (std::size_t k = 0; k < feeders.size(); ++k)
       {
-        MaterialPoints<dim> &points = state.points;
-        const std::size_t    n_new =
+        const std::size_t n_new =
           feeders[k].feed(state.time, account.rows[k], points, account.next_id);
         account.points_in += n_new;
         for (std::size_t p = points.n_points() - n_new; p < points.n_points();
@@ -282,40 +299,70 @@ namespace Waker
             state.energy.inflow += kinetic;
           }
       }
+    if (part != nullptr)
+      part->take_new(points);
   }
 
 
   template <int dim>
   void
-  Flow<dim>::remove(State<dim> &state) const
+  Flow<dim>::remove(State<dim> &state, RankPart<dim> *const part) const
   {
-    MaterialPoints<dim>           &points = state.points;
-    const std::vector<std::size_t> list   = points_beyond(outlets, points);
+    const std::vector<std::size_t> list = points_beyond(outlets, state.points);
     if (list.empty())
       return;
+    // The sums ask for more than the places, which only the own points have.
+    const MaterialPoints<dim> &points =
+      part != nullptr ? part->points() : state.points;
+    const std::vector<std::size_t> own_list =
+      part != nullptr ? points_beyond(outlets, points) : list;
     // Only what the sums below ask for.
     MaterialPoints<dim> gone;
-    gone.resize(list.size());
-    FlowAccount<dim> &account = state.flow;
-    account.points_out += list.size();
-    for (std::size_t k = 0; k < list.size(); ++k)
+    gone.resize(own_list.size());
+    double         mass = 0.;
+    Tensor<1, dim> inertia;
+    for (std::size_t k = 0; k < own_list.size(); ++k)
       {
-        const std::size_t p = list[k];
+        const std::size_t p = own_list[k];
         gone.material[k]    = points.material[p];
         gone.mass[k]        = points.mass[p];
         gone.volume[k]      = points.volume[p];
         gone.velocity[k]    = points.velocity[p];
         gone.stress[k]      = points.stress[p];
-        account.mass_out += points.mass[p];
-        account.force -= points.mass[p] * points.acceleration[p];
+        mass += points.mass[p];
+        inertia += points.mass[p] * points.acceleration[p];
       }
-    account.momentum_out += momentum(gone);
-    const double kinetic = scheme.has_inertia ? kinetic_energy(gone) : 0.;
-    const double elastic = elastic_energy(gone, *materials);
+    Tensor<1, dim> momentum_out = momentum(gone);
+    double         kinetic = scheme.has_inertia ? kinetic_energy(gone) : 0.;
+    double         elastic = elastic_energy(gone, *materials);
+    if (part != nullptr)
+      {
+        std::vector<double> sums{mass, kinetic, elastic};
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            sums.push_back(inertia[d]);
+            sums.push_back(momentum_out[d]);
+          }
+        part->grid->exchange().sum(sums.data(), sums.size());
+        mass    = sums[0];
+        kinetic = sums[1];
+        elastic = sums[2];
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            inertia[d]      = sums[3 + 2 * d];
+            momentum_out[d] = sums[4 + 2 * d];
+          }
+        part->remove(list, own_list);
+      }
+    FlowAccount<dim> &account = state.flow;
+    account.points_out += list.size();
+    account.mass_out += mass;
+    account.force -= inertia;
+    account.momentum_out += momentum_out;
     state.energy.kinetic -= kinetic;
     state.energy.elastic -= elastic;
     state.energy.outflow += kinetic + elastic;
-    remove_points(list, points);
+    remove_points(list, state.points);
   }
 
 

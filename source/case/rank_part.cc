@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <waker/base/errors.h>
 #include <waker/case/rank_part.h>
 #include <waker/mapping/transfer.h>
-
-#include <string>
 
 namespace Waker
 {
@@ -36,6 +33,16 @@ namespace Waker
     , exchange(*partition, communicator, points)
   {
     make_window();
+    for (const LoadProgrammeParameters &programme :
+         the_case.parameters.load_programmes)
+      {
+        for (const Watched watched :
+             {programme.held_by, programme.stopped_by, programme.quantity})
+          if (watched == Watched::plastic_strain)
+            needed.push_back("plastic strain");
+        // What becomes mass has the acceleration of its point.
+        needed.push_back("acceleration");
+      }
   }
 
 
@@ -74,19 +81,7 @@ namespace Waker
   void
   RankPart<dim>::map(std::vector<double> &all_mass)
   {
-    std::string problem;
-    try
-      {
-        weights->reinit(exchange.own());
-      }
-    catch (const NumericalFailure &failure)
-      {
-        problem = failure.what();
-      }
-    for (const std::string &text :
-         Utilities::MPI::all_gather(communicator, problem))
-      if (!text.empty())
-        throw NumericalFailure(text);
+    grid->exchange().together([&]() { weights->reinit(exchange.own()); });
     to_nodes(exchange.own(), *weights, *nodes);
     partition->gather(*grid, nodes->mass.data(), 1, all_mass.data());
   }
@@ -94,21 +89,21 @@ namespace Waker
 
   template <int dim>
   void
-  RankPart<dim>::take_loads(const NodalVector &all)
+  RankPart<dim>::take_loads(const NodalVector &all, NodalVector &of_points)
   {
     NodalVector &force = nodes->external_force;
-    if (!the_case->pore_water.empty())
-      {
-        NodalVector of_pores(grid->n_dofs());
-        the_case->pore_water.add_nodal_forces(exchange.own(),
-                                              *weights,
-                                              of_pores);
-        grid->exchange().sum({{of_pores.begin(), dim}});
-        partition->restrict_to(*grid, all.begin(), dim, force.begin());
-        force += of_pores;
-      }
-    else
-      partition->restrict_to(*grid, all.begin(), dim, force.begin());
+    partition->restrict_to(*grid, all.begin(), dim, force.begin());
+    grid->exchange().sum({{of_points.begin(), dim}});
+    force += of_points;
+  }
+
+
+  template <int dim>
+  void
+  RankPart<dim>::gather_increment(NodalVector &all) const
+  {
+    all.reinit(dim * the_case->grid.n_nodes());
+    partition->gather(*grid, nodes->increment.begin(), dim, all.begin());
   }
 
 
@@ -117,7 +112,7 @@ namespace Waker
   RankPart<dim>::moved(MaterialPoints<dim> &whole)
   {
     exchange.send_home(*partition);
-    exchange.gather_places(whole);
+    exchange.gather_places(whole, needed);
   }
 
 
@@ -139,59 +134,15 @@ namespace Waker
 
 
   template <int dim>
-  void
-  check_for_ranks(const Case<dim> &the_case)
-  {
-    const unsigned int n =
-      Utilities::MPI::n_mpi_processes(the_case.grid.communicator());
-    if (n == 1)
-      return;
-    const Parameters &p = the_case.parameters;
-    const auto refuse = [&](const std::string &path, const std::string &what) {
-      throw UserError(path,
-                      what + ", and the run is on " + std::to_string(n) +
-                        " ranks",
-                      "one rank for it, for now");
-    };
-    if (p.time.scheme != Scheme::newmark)
-      refuse("Time stepping/Scheme",
-             "is " + std::string(name_of(p.time.scheme)));
-    if (p.newton.tangent != Tangent::consistent)
-      refuse("Newton/Tangent", "is " + std::string(name_of(p.newton.tangent)));
-    // Both look at soil beyond what a rank sees.
-    if (p.mapping.volumetric_strain != VolumetricStrain::standard)
-      refuse("Kinematics and mapping/Volumetric strain",
-             "is " + std::string(name_of(p.mapping.volumetric_strain)));
-    for (const MaterialParameters &material : p.materials)
-      if (material.regularisation == Regularisation::nonlocal)
-        refuse("Materials/" + material.name + "/Regularisation",
-               "is " + std::string(name_of(Regularisation::nonlocal)));
-    if (!p.walls.empty())
-      refuse("Walls/Names", "there are walls off the grid");
-    if (!p.tractions.empty())
-      refuse("Tractions/Names", "there are tractions");
-    if (!p.load_programmes.empty())
-      refuse("Load programmes/Names", "there are load programmes");
-    if (the_case.flow.is_used())
-      refuse("Outflow/Names", "soil flows in or out");
-  }
-
-
-  template <int dim>
   std::unique_ptr<RankPart<dim>>
   make_rank_part(const Case<dim> &the_case, const MaterialPoints<dim> &points)
   {
-    check_for_ranks(the_case);
     if (Utilities::MPI::n_mpi_processes(the_case.grid.communicator()) == 1)
       return nullptr;
     return std::make_unique<RankPart<dim>>(the_case, points);
   }
 
 
-  template void
-  check_for_ranks(const Case<2> &);
-  template void
-  check_for_ranks(const Case<3> &);
   template class RankPart<2>;
   template class RankPart<3>;
   template std::unique_ptr<RankPart<2>>

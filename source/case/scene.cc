@@ -143,6 +143,8 @@ namespace Waker
   Scene<dim>::meet_walls(State<dim> &state)
   {
     walls.reinit(state.points, nodes.mass, state.time, state.wall_tractions);
+    if (part != nullptr)
+      walls.keep_own(*part->grid);
   }
 
 
@@ -247,10 +249,23 @@ namespace Waker
                            const std::vector<LoadRecord> &records)
   {
     set_gravity<dim>(the_case->parameters.gravity.acceleration, nodes);
-    driven.drive(
-      records,
-      time,
-      {points, weights, nodes.external_force, nodes.mass, tractions, water});
+    // What points carry themselves is known where they are.
+    const MaterialPoints<dim> &own = part != nullptr ? part->points() : points;
+    const Weights<dim>        &own_weights =
+      part != nullptr ? *part->weights : weights;
+    if (part != nullptr)
+      of_points.reinit(part->grid->n_dofs());
+    NodalVector &own_force = part != nullptr ? of_points : nodes.external_force;
+    driven.drive(records,
+                 time,
+                 {points,
+                  nodes.external_force,
+                  own,
+                  own_weights,
+                  own_force,
+                  nodes.mass,
+                  tractions,
+                  water});
     water.find(surfaces, time);
     water.add_nodal_forces(nodes.mass,
                            the_case->full_node_mass,
@@ -258,10 +273,7 @@ namespace Waker
     water_resultant = water.resultant();
     tractions.add(
       time, points, nodes.mass, the_case->full_node_mass, nodes.external_force);
-    if (part == nullptr)
-      the_case->pore_water.add_nodal_forces(points,
-                                            weights,
-                                            nodes.external_force);
+    the_case->pore_water.add_nodal_forces(own, own_weights, own_force);
     if (!points.load.empty())
       {
         // Eq. 3.2, with linear functions also under GIMP.
@@ -272,7 +284,7 @@ namespace Waker
         point_loads.distribute(nodes.mass, 0., nodes.external_force);
       }
     if (part != nullptr)
-      part->take_loads(nodes.external_force);
+      part->take_loads(nodes.external_force, of_points);
   }
 
 
@@ -289,14 +301,13 @@ namespace Waker
       motion->add_force_of_stress(points, weights, force);
     };
     if (part != nullptr)
-      {
-        add(part->points(), *part->weights);
-        part->grid->exchange().sum({{force.begin(), dim}});
-      }
+      add(part->points(), *part->weights);
     else
       add(points, weights);
     for (Resistance<dim> *const resistance : resistances())
       resistance->add_start_force(force);
+    if (part != nullptr)
+      part->grid->exchange().sum({{force.begin(), dim}});
   }
 
 

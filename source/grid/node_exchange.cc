@@ -2,10 +2,12 @@
 #include <deal.II/base/index_set.h>
 #include <deal.II/base/partitioner.h>
 
+#include <waker/base/errors.h>
 #include <waker/grid/node_exchange.h>
 
 #include <algorithm>
 #include <numeric>
+#include <string>
 
 namespace Waker
 {
@@ -274,5 +276,28 @@ namespace Waker
       MPI_IN_PLACE, &result, 1, MPI_DOUBLE, MPI_MAX, mpi_communicator);
     ++sent.reductions;
     return result;
+  }
+
+
+  void
+  NodeExchange::together(const std::function<void()> &action) const
+  {
+    if (plan == nullptr)
+      return action();
+    std::string problem;
+    try
+      {
+        action();
+      }
+    catch (const NumericalFailure &failure)
+      {
+        problem = failure.what();
+      }
+    if (largest(problem.empty() ? 0. : 1.) == 0.)
+      return;
+    for (const std::string &text :
+         Utilities::MPI::all_gather(mpi_communicator, problem))
+      if (!text.empty())
+        throw NumericalFailure(text);
   }
 } // namespace Waker

@@ -216,6 +216,19 @@ namespace Waker
             }
         }
 
+      // Of a cell that several ranks have points in, each has a part of D, and
+      // all need the whole share.
+      const NodeExchange &ranks = weights.background_grid().exchange();
+      if (mean && !ranks.is_one_rank())
+        {
+          std::vector<double> shares(element_of_cell.size(), 0.);
+          for (const Element &element : elements)
+            shares[element.node] = element.share;
+          ranks.sum({{shares.data(), 1}});
+          for (Element &element : elements)
+            element.share = shares[element.node];
+        }
+
       // Nodes to Gauss points. D_i carries n / V_e, a Gauss weight V_e / n:
       // they cancel.
       for (Element &element : elements)

@@ -30,7 +30,8 @@ namespace Waker
         for (const Tensor<1, dim> &v : points.velocity)
           largest = std::max(largest, v.norm_square());
         return in.time.courant_number * in.grid.cell_size() /
-               (wave_speed(in.materials) + std::sqrt(largest));
+               (wave_speed(in.materials) +
+                std::sqrt(in.grid.exchange().largest(largest)));
       }
 
       StepReport<dim>
@@ -73,6 +74,7 @@ namespace Waker
           support->add_force(way, force);
           support->add_diagonal(stiffness);
         }
+      in.grid.exchange().sum({{force.begin(), dim}, {stiffness.begin(), dim}});
       double *const new_a = nodes.new_acceleration.begin();
       for (std::size_t dof = 0; dof < in.grid.n_dofs(); ++dof)
         {
@@ -92,11 +94,14 @@ namespace Waker
                          const double               dt,
                          NodalState                &nodes)
     {
+      in.find_motion(t, dt, removed_increments);
       held.soil.begin(points, nodes, t, dt);
       for (Resistance<dim> *const support : held.supports)
         support->begin(points, nodes, t, dt);
       nodes.internal_force = 0.;
       held.soil.add_start_force(nodes.internal_force);
+      const NodeExchange &ranks = in.grid.exchange();
+      ranks.sum({{nodes.internal_force.begin(), dim}});
 
       const double        ramp = residual_ramp(t + dt, in.time.ramp_duration);
       const double *const internal = nodes.internal_force.begin();
@@ -106,7 +111,6 @@ namespace Waker
       double *const       new_a    = nodes.new_acceleration.begin();
       double *const       u        = nodes.increment.begin();
 
-      in.fixities.removed_increments(t, dt, removed_increments);
       const auto &removed = in.fixities.removed_list();
       for (std::size_t k = 0; k < removed.size(); ++k)
         v[removed[k]] = removed_increments[k] / dt;
@@ -134,7 +138,7 @@ namespace Waker
         }
       // Nothing is solved: it only has to be a motion.
       StepReport<dim> report;
-      report.converged = std::isfinite(square);
+      report.converged = std::isfinite(ranks.sum(square));
       report.residuals = {
         report.converged ? 0. : std::numeric_limits<double>::infinity()};
       return report;
@@ -169,6 +173,8 @@ namespace Waker
                                 points.mass[p] * points.velocity[p],
                                 star);
         }
+      const NodeExchange &ranks = in.grid.exchange();
+      ranks.sum({{star, dim}});
       for (std::size_t i = 0; i < nodes.mass.size(); ++i)
         if (nodes.mass[i] > 0.)
           for (unsigned int c = 0; c < dim; ++c)
@@ -182,6 +188,8 @@ namespace Waker
       const double *const external = nodes.external_force.begin();
       for (const unsigned int dof : removed)
         {
+          if (!ranks.owns(dof / dim))
+            continue;
           report.reaction[dof % dim] += internal[dof] - external[dof];
           report.support_work += (internal[dof] - external[dof]) * u[dof];
         }
@@ -192,6 +200,8 @@ namespace Waker
         }
       for (std::size_t i = 0; i < nodes.mass.size(); ++i)
         {
+          if (!ranks.owns(i))
+            continue;
           report.gravity_work -= nodes.mass[i] * in.gravity * u[dim * i + 1];
           for (unsigned int c = 0; c < dim; ++c)
             report.load_work += external[dim * i + c] * u[dim * i + c];
@@ -200,13 +210,17 @@ namespace Waker
 
       nodes.internal_force = 0.;
       held.soil.add_force(stretched, nodes.internal_force);
+      ranks.sum({{nodes.internal_force.begin(), dim}});
       held.soil.accept(stretched, points);
       const StressReport &stress = held.soil.report();
       report.mean_plastic_strain = stress.plastic_strain;
-      report.displacement_rate   = displacement_rate(displacement, mass, dt);
-      report.dissipation         = stress.dissipation;
-      report.elastic_energy      = stress.elastic_energy;
-      report.kinetic_energy      = kinetic_energy(points);
+      double sums[]              = {displacement, mass};
+      ranks.sum(sums, 2);
+      report.displacement_rate = displacement_rate(sums[0], sums[1], dt);
+      report.dissipation       = stress.dissipation;
+      report.elastic_energy    = stress.elastic_energy;
+      report.kinetic_energy    = kinetic_energy(points);
+      report.sum(ranks, points.n_points());
     }
   } // namespace
 

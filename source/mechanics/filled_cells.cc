@@ -54,6 +54,8 @@ namespace Waker
                       cells[cell] += share * points.volume[p];
                     });
 
+    grid.exchange().sum({{cells.data(), 1}});
+
     const double full = std::pow(grid.cell_size(), dim);
     for (double &cell : cells)
       cell = share_of_cell(cell / full, which);

@@ -38,7 +38,8 @@ namespace Waker
     rows.clear();
     for (unsigned int node = 0; node < mass.size(); ++node)
       {
-        if (mass[node] == 0.)
+        // Each by one rank, which reaches the nodes beside its own.
+        if (mass[node] == 0. || !grid->exchange().owns(node))
           continue;
         const auto index = grid->node_index(node);
         for (unsigned int d = 0; d < dim; ++d)

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/mechanics/implicit_scheme.h>
 
-#include <algorithm>
-#include <vector>
-
 namespace Waker
 {
   template <int dim>
@@ -27,10 +24,10 @@ namespace Waker
                              NodalState                &nodes)
   {
     reached.reinit(nodes.mass);
+    in.find_motion(t, dt, removed_increments);
     for (Resistance<dim> *const resistance : resistances)
       resistance->begin(points, nodes, t, dt);
 
-    in.fixities.removed_increments(t, dt, removed_increments);
     nodes.increment             = 0.;
     const ResidualTerms terms   = begin(t, dt, nodes);
     const auto         &removed = in.fixities.removed_list();
@@ -47,44 +44,6 @@ namespace Waker
     report.residuals         = solved.residuals;
     return report;
   }
-
-
-  namespace
-  {
-    /// Each rank has what its points and its own nodes have done.
-    template <int dim>
-    void
-    sum_over_ranks(const NodeExchange &ranks,
-                   const std::size_t   n_points,
-                   StepReport<dim>    &report)
-    {
-      const double        n = static_cast<double>(n_points);
-      std::vector<double> sums{n,
-                               n * report.mean_plastic_strain,
-                               report.gravity_work,
-                               report.load_work,
-                               report.support_work,
-                               report.ramp_work,
-                               report.mapping_loss,
-                               report.dissipation,
-                               report.kinetic_energy,
-                               report.elastic_energy};
-      for (unsigned int d = 0; d < dim; ++d)
-        sums.push_back(report.reaction[d]);
-      ranks.sum(sums.data(), sums.size());
-      report.mean_plastic_strain = sums[1] / std::max(sums[0], 1.);
-      report.gravity_work        = sums[2];
-      report.load_work           = sums[3];
-      report.support_work        = sums[4];
-      report.ramp_work           = sums[5];
-      report.mapping_loss        = sums[6];
-      report.dissipation         = sums[7];
-      report.kinetic_energy      = sums[8];
-      report.elastic_energy      = sums[9];
-      for (unsigned int d = 0; d < dim; ++d)
-        report.reaction[d] = sums[10 + d];
-    }
-  } // namespace
 
 
   template <int dim>
@@ -126,8 +85,7 @@ namespace Waker
     // The force of the supports at the start is no part of what add_works()
     // takes for the forces there.
     report.mapping_loss += 0.5 * pushed.start - lost.mean();
-    if (!in.grid.exchange().is_one_rank())
-      sum_over_ranks(in.grid.exchange(), points.n_points(), report);
+    report.sum(in.grid.exchange(), points.n_points());
   }
 
 

@@ -56,7 +56,7 @@ namespace Waker
                 MaterialPoints<dim> &points,
                 StepReport<dim>     &report) override
       {
-        const double kinetic = kinetic_energy(points);
+        const double kinetic = grid.exchange().sum(kinetic_energy(points));
         quasi_static->to_points(t, dt, nodes, points, report);
         points.velocity.assign(points.n_points(), Tensor<1, dim>());
         report.mapping_loss += kinetic;
@@ -87,7 +87,9 @@ namespace Waker
             if (!(u.norm_square() <= limit))
               far += points.mass[p];
           }
-        return far > moving_share * all;
+        double sums[] = {far, all};
+        grid.exchange().sum(sums, 2);
+        return sums[0] > moving_share * sums[1];
       }
 
       const BackgroundGrid<dim>             &grid;

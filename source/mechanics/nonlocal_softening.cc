@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/mpi.h>
+
 #include <waker/mechanics/nonlocal_softening.h>
 
 #include <algorithm>
+#include <array>
+#include <numeric>
 
 namespace Waker
 {
@@ -24,11 +28,65 @@ namespace Waker
 
   template <int dim>
   void
+  NonlocalSoftening<dim>::gather(const NodeExchange        &ranks,
+                                 const MaterialPoints<dim> &points,
+                                 const std::vector<double> &increments,
+                                 const unsigned int         material)
+  {
+    // Of each point: place, volume, increment, and its id and own place as
+    // doubles, which hold integers up to 2^53.
+    constexpr unsigned int n_numbers = dim + 4;
+    std::vector<double>    mine;
+    const double rank = Utilities::MPI::this_mpi_process(ranks.communicator());
+    for (std::size_t p = 0; p < points.n_points(); ++p)
+      if (points.material[p] == material)
+        {
+          for (unsigned int d = 0; d < dim; ++d)
+            mine.push_back(points.position[p][d]);
+          for (const double number : {points.volume[p],
+                                      increments[p],
+                                      static_cast<double>(points.id[p]),
+                                      static_cast<double>(p)})
+            mine.push_back(number);
+        }
+    std::vector<std::array<double, 3>> order; // id, rank, begin
+    const auto parts = Utilities::MPI::all_gather(ranks.communicator(), mine);
+    for (std::size_t r = 0; r < parts.size(); ++r)
+      for (std::size_t k = 0; k < parts[r].size(); k += n_numbers)
+        order.push_back({{parts[r][k + dim + 2],
+                          static_cast<double>(r),
+                          static_cast<double>(k)}});
+    std::sort(order.begin(), order.end());
+
+    const std::size_t n = order.size();
+    around.position.resize(n);
+    around.volume.resize(n);
+    around.increment.resize(n);
+    around.place.resize(n);
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        const auto          r = static_cast<std::size_t>(order[i][1]);
+        const double *const numbers =
+          parts[r].data() + static_cast<std::size_t>(order[i][2]);
+        for (unsigned int d = 0; d < dim; ++d)
+          around.position[i][d] = numbers[d];
+        around.volume[i]    = numbers[dim];
+        around.increment[i] = numbers[dim + 1];
+        around.place[i] =
+          r == rank ? static_cast<std::uint32_t>(numbers[dim + 3]) : not_here;
+      }
+  }
+
+
+  template <int dim>
+  void
   NonlocalSoftening<dim>::soften(
     const std::vector<double>           &increments,
     const std::vector<std::vector<int>> &variable_arrays,
+    const NodeExchange                  &ranks,
     MaterialPoints<dim>                 &points)
   {
+    const bool          on_ranks = !ranks.is_one_rank();
     std::vector<double> variables;
     for (MaterialAverage &of_material : averages)
       {
@@ -40,10 +98,21 @@ namespace Waker
               members.push_back(p);
               any = any || increments[p] != 0.;
             }
-        if (!any)
+        if (ranks.largest(any ? 1. : 0.) == 0.)
           continue;
         NonlocalAverage<dim> &average = of_material.average;
-        average.reinit(members, points.position, points.volume, increments);
+        if (on_ranks)
+          {
+            gather(ranks, points, increments, of_material.number);
+            members.resize(around.place.size());
+            std::iota(members.begin(), members.end(), 0u);
+            average.reinit(members,
+                           around.position,
+                           around.volume,
+                           around.increment);
+          }
+        else
+          average.reinit(members, points.position, points.volume, increments);
 
         std::vector<double *> arrays;
         for (const int array : variable_arrays[of_material.number])
@@ -51,7 +120,10 @@ namespace Waker
         variables.resize(arrays.size());
         for (unsigned int k = 0; k < average.order().size(); ++k)
           {
-            const std::uint32_t p = average.order()[k];
+            const std::uint32_t member = average.order()[k];
+            const std::uint32_t p = on_ranks ? around.place[member] : member;
+            if (p == not_here)
+              continue;
             for (unsigned int v = 0; v < arrays.size(); ++v)
               variables[v] = arrays[v][p];
             if (!of_material.material->can_soften(variables.data()))

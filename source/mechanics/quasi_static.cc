@@ -70,6 +70,7 @@ namespace Waker
       start_force = 0.;
       for (Resistance<dim> *const resistance : this->resistances)
         resistance->add_start_force(start_force);
+      in.grid.exchange().sum({{start_force.begin(), dim}});
       ResidualTerms terms;
       terms.load = load_factor(t + dt);
       return terms;
@@ -108,7 +109,9 @@ namespace Waker
               points.velocity[p] = du / dt; // without energy: no inertia
             }
         }
-      report.displacement_rate = displacement_rate(square, mass, dt);
+      double sums[] = {square, mass};
+      in.grid.exchange().sum(sums, 2);
+      report.displacement_rate = displacement_rate(sums[0], sums[1], dt);
     }
 
 
@@ -129,11 +132,12 @@ namespace Waker
 
       // A body without stress has carried no load.
       const double s_end = load_factor(t + dt);
-      const double s_start =
-        start_force.linfty_norm() > 0. ? load_factor(t) : 0.;
+      const bool   has_carried =
+        in.grid.exchange().largest(start_force.linfty_norm()) > 0.;
+      const double               s_start = has_carried ? load_factor(t) : 0.;
       const unsigned char *const removed = in.fixities.removed().data();
 
-      for (const auto &run : reached)
+      for (const auto &run : reached.owned())
         for (std::size_t i = run.begin; i < run.end; ++i)
           for (unsigned int c = 0; c < dim; ++c)
             {

@@ -43,7 +43,9 @@ namespace Waker
   void
   Soil<dim>::add_force(const NodalVector &increment, NodalVector &internal)
   {
-    stress_update.evaluate(*points, *weights, increment, work_space);
+    reached.ranks().together([&]() {
+      stress_update.evaluate(*points, *weights, increment, work_space);
+    });
     internal += work_space;
   }
 
@@ -109,6 +111,7 @@ namespace Waker
   Soil<dim>::accept(const NodalVector &, MaterialPoints<dim> &points)
   {
     stress_report = stress_update.accept(points);
+    stress_update.soften(points, reached.ranks());
     return Tensor<1, dim>(); // it holds nothing
   }
 

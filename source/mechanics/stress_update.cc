@@ -298,9 +298,17 @@ namespace Waker
           }
       }
     report.plastic_strain /= std::max<std::size_t>(points.n_points(), 1);
-    if (nonlocal.is_used())
-      nonlocal.soften(increments, variable_arrays, points);
     return report;
+  }
+
+
+  template <int dim>
+  void
+  StressUpdate<dim>::soften(MaterialPoints<dim> &points,
+                            const NodeExchange  &ranks)
+  {
+    if (nonlocal.is_used())
+      nonlocal.soften(increments, variable_arrays, ranks, points);
   }
 
 

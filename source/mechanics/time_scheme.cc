@@ -11,6 +11,7 @@
 #include <cmath>
 #include <sstream>
 #include <utility>
+#include <vector>
 
 namespace Waker
 {
@@ -141,6 +142,51 @@ namespace Waker
   }
 
 
+  template <int dim>
+  void
+  StepReport<dim>::sum(const NodeExchange &ranks, const std::size_t n_points)
+  {
+    if (ranks.is_one_rank())
+      return;
+    double n = static_cast<double>(n_points);
+    mean_plastic_strain *= n;
+    std::vector<double *> sums{&n,
+                               &mean_plastic_strain,
+                               &gravity_work,
+                               &load_work,
+                               &support_work,
+                               &ramp_work,
+                               &mapping_loss,
+                               &dissipation,
+                               &friction,
+                               &kinetic_energy,
+                               &elastic_energy};
+    for (unsigned int d = 0; d < dim; ++d)
+      sums.push_back(&reaction[d]);
+    std::vector<double> numbers;
+    for (const double *const sum : sums)
+      numbers.push_back(*sum);
+    ranks.sum(numbers.data(), numbers.size());
+    for (std::size_t k = 0; k < sums.size(); ++k)
+      *sums[k] = numbers[k];
+    mean_plastic_strain /= std::max(n, 1.);
+  }
+
+
+  template <int dim>
+  void
+  SchemeInput<dim>::find_motion(const double         t,
+                                const double         dt,
+                                std::vector<double> &removed_increments) const
+  {
+    grid.exchange().together([&]() {
+      fixities.removed_increments(t, dt, removed_increments);
+      std::vector<double> of_springs(fixities.penalties().size());
+      fixities.penalty_increments(t, dt, of_springs);
+    });
+  }
+
+
   double
   residual_ramp(const double t, const double duration)
   {
@@ -182,6 +228,8 @@ namespace Waker
 
   template struct StepReport<2>;
   template struct StepReport<3>;
+  template struct SchemeInput<2>;
+  template struct SchemeInput<3>;
   template std::unique_ptr<TimeScheme<2>>
   make_time_scheme(const SchemeInput<2> &);
   template std::unique_ptr<TimeScheme<3>>

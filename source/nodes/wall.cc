@@ -45,6 +45,7 @@ namespace Waker
                     const double                       modulus,
                     const double                       full_node_mass)
     : grid(&grid)
+    , ranks(&grid.exchange())
     , full_node_mass(full_node_mass)
     , wall_gaps(grid)
   {
@@ -281,11 +282,15 @@ namespace Waker
   Walls<dim>::accept(const NodalVector &increment, MaterialPoints<dim> &)
   {
     Tensor<1, dim> force;
+    if (!ranks->is_one_rank())
+      carried->assign(spots.size(), Tensor<1, dim>());
     for (const Contact &contact : contacts)
       {
         (*carried)[contact.spot] = traction(contact, increment);
         force += spots[contact.spot].area * (*carried)[contact.spot];
       }
+    if (!ranks->is_one_rank() && !carried->empty())
+      ranks->sum(&(*carried)[0][0], dim * carried->size());
     return force;
   }
 

@@ -58,6 +58,56 @@ namespace Waker
 
   template <int dim>
   void
+  Walls<dim>::keep_own(const BackgroundGrid<dim> &window)
+  {
+    using Index           = typename BackgroundGrid<dim>::Index;
+    ranks                 = &window.exchange();
+    const auto translated = [&](Index index) {
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          index[d] -= window.offset()[d];
+          if (index[d] < 0 ||
+              index[d] >= static_cast<int>(window.n_nodes_per_direction()[d]))
+            return numbers::invalid_unsigned_int;
+        }
+      return window.node(index);
+    };
+    std::vector<Contact> all;
+    all.swap(contacts);
+    for (const Contact &contact : all)
+      {
+        const unsigned int corner =
+          translated(cell_of(spots[contact.spot].position));
+        if (corner == numbers::invalid_unsigned_int || !ranks->owns(corner))
+          continue;
+        // Within a support domain's reach of the cell.
+        for (std::size_t k = contact.begin; k < contact.end; ++k)
+          {
+            nodes[k] = translated(grid->node_index(nodes[k]));
+            AssertThrow(nodes[k] != numbers::invalid_unsigned_int,
+                        ExcInternalError());
+          }
+        contacts.push_back(contact);
+      }
+  }
+
+
+  template <int dim>
+  typename BackgroundGrid<dim>::Index
+  Walls<dim>::cell_of(const Point<dim> &x) const
+  {
+    auto cell = grid->cell_index(x);
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        const int last = grid->n_nodes_per_direction()[d] - 2;
+        cell[d]        = std::clamp(cell[d], 0, last);
+      }
+    return cell;
+  }
+
+
+  template <int dim>
+  void
   Walls<dim>::find_gaps(const MaterialPoints<dim> &points)
   {
     if (one_sided.empty())
@@ -139,16 +189,12 @@ namespace Waker
     constexpr double       smallest_weight = 1e-14; // round-off
     if (!grid->contains(spot.position))
       return false;
-    auto   cell = grid->cell_index(spot.position);
-    double local[dim];
+    const auto cell = cell_of(spot.position);
+    double     local[dim];
     for (unsigned int d = 0; d < dim; ++d)
-      {
-        const int last = grid->n_nodes_per_direction()[d] - 2;
-        cell[d]        = std::clamp(cell[d], 0, last);
-        local[d] =
-          (spot.position[d] - grid->origin()[d]) * grid->inverse_cell_size() -
-          cell[d];
-      }
+      local[d] =
+        (spot.position[d] - grid->origin()[d]) * grid->inverse_cell_size() -
+        cell[d];
     const unsigned int base = grid->node(cell);
     unsigned int       corner_node[n_corners];
     double             N[n_corners], share = 0.;
@@ -262,6 +308,10 @@ namespace Waker
                    const std::vector<double> &,
                    const double,
                    Tractions &);
+  template void
+  Walls<2>::keep_own(const BackgroundGrid<2> &);
+  template void
+  Walls<3>::keep_own(const BackgroundGrid<3> &);
   template void
   Walls<2>::check_start() const;
   template void

@@ -3,6 +3,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <waker/particles/point_exchange.h>
+#include <waker/particles/removal.h>
 
 #include <algorithm>
 #include <cstring>
@@ -46,6 +47,24 @@ namespace Waker
                                           [&](const char *, const auto &array) {
                                             used.push_back(!array.empty());
                                           });
+      return used;
+    }
+
+
+    /// Of those in use, the ones that are named; all of them if none is.
+    template <int dim>
+    std::vector<bool>
+    arrays_named(const MaterialPoints<dim>      &whole,
+                 const std::vector<std::string> &names)
+    {
+      std::vector<bool> used;
+      MaterialPoints<dim>::for_each_array(
+        whole, [&](const char *name, const auto &array) {
+          used.push_back(
+            !array.empty() &&
+            (names.empty() ||
+             std::find(names.begin(), names.end(), name) != names.end()));
+        });
       return used;
     }
 
@@ -219,30 +238,15 @@ namespace Waker
 
   template <int dim>
   void
-  PointExchange<dim>::gather(MaterialPoints<dim> &whole,
-                             const bool           places_only) const
+  PointExchange<dim>::gather(MaterialPoints<dim>            &whole,
+                             const std::vector<std::string> &names) const
   {
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
     // To be read only.
-    auto              &mine = const_cast<MaterialPoints<dim> &>(points);
-    std::vector<Bytes> from, to;
-    if (places_only)
-      {
-        from = {bytes_of(mine.position),
-                bytes_of(mine.velocity),
-                bytes_of(mine.half_size),
-                bytes_of(mine.volume)};
-        to   = {bytes_of(whole.position),
-                bytes_of(whole.velocity),
-                bytes_of(whole.half_size),
-                bytes_of(whole.volume)};
-      }
-    else
-      {
-        const std::vector<bool> used = arrays_in_use(whole);
-        from                         = bytes_of_points(mine, used);
-        to                           = bytes_of_points(whole, used);
-      }
+    auto                    &mine = const_cast<MaterialPoints<dim> &>(points);
+    const std::vector<bool>  used = arrays_named(whole, names);
+    std::vector<Bytes>       from = bytes_of_points(mine, used);
+    const std::vector<Bytes> to   = bytes_of_points(whole, used);
     from.push_back(bytes_of(const_cast<std::vector<std::uint32_t> &>(places)));
     const std::size_t size = bytes_per_point(from);
 
@@ -288,9 +292,15 @@ namespace Waker
 
   template <int dim>
   void
-  PointExchange<dim>::gather_places(MaterialPoints<dim> &whole) const
+  PointExchange<dim>::gather_places(MaterialPoints<dim>            &whole,
+                                    const std::vector<std::string> &more) const
   {
-    gather(whole, true);
+    std::vector<std::string> names = {"position",
+                                      "velocity",
+                                      "half_size",
+                                      "volume"};
+    names.insert(names.end(), more.begin(), more.end());
+    gather(whole, names);
   }
 
 
@@ -298,19 +308,70 @@ namespace Waker
   void
   PointExchange<dim>::gather(MaterialPoints<dim> &whole) const
   {
-    gather(whole, false);
+    gather(whole, {});
   }
 
 
   template <int dim>
   void
-  PointExchange<dim>::take_scalar(const std::string         &name,
-                                  const MaterialPoints<dim> &whole)
+  PointExchange<dim>::take(const std::string         &name,
+                           const MaterialPoints<dim> &whole)
   {
-    const std::vector<double> &from = whole.scalar(name);
-    std::vector<double>       &to   = points.scalar(name);
+    auto                    &body = const_cast<MaterialPoints<dim> &>(whole);
+    const std::vector<bool>  used = arrays_named(whole, {name});
+    const std::vector<Bytes> from = bytes_of_points(body, used);
+    const std::vector<Bytes> to   = bytes_of_points(points, used);
+    for (std::size_t k = 0; k < to.size(); ++k)
+      for (std::size_t p = 0; p < places.size(); ++p)
+        std::memcpy(to[k].data + p * to[k].size,
+                    from[k].data + places[p] * to[k].size,
+                    to[k].size);
+  }
+
+
+  template <int dim>
+  void
+  PointExchange<dim>::remove(const std::vector<std::size_t> &list,
+                             const std::vector<std::size_t> &own_list)
+  {
+    remove_points(own_list, points);
+    std::size_t n    = 0;
+    auto        next = own_list.begin();
     for (std::size_t p = 0; p < places.size(); ++p)
-      to[p] = from[places[p]];
+      if (next != own_list.end() && *next == p)
+        ++next;
+      else
+        places[n++] = places[p];
+    places.resize(n);
+    for (std::uint32_t &place : places)
+      place -= std::lower_bound(list.begin(), list.end(), place) - list.begin();
+    n_whole -= list.size();
+  }
+
+
+  template <int dim>
+  void
+  PointExchange<dim>::take_new(const Partition<dim>      &partition,
+                               const MaterialPoints<dim> &whole)
+  {
+    const unsigned int rank  = Utilities::MPI::this_mpi_process(communicator);
+    const std::size_t  first = places.size();
+    for (std::size_t p = n_whole; p < whole.n_points(); ++p)
+      if (partition.owner(whole.position[p]) == rank)
+        places.push_back(p);
+    n_whole                       = whole.n_points();
+    auto                    &body = const_cast<MaterialPoints<dim> &>(whole);
+    const std::vector<bool>  used = arrays_in_use(whole);
+    const std::vector<Bytes> from = bytes_of_points(body, used);
+    std::vector<Bytes>       to   = bytes_of_points(points, used);
+    for (std::size_t k = 0; k < to.size(); ++k)
+      {
+        char *const data = to[k].resize(places.size());
+        for (std::size_t p = first; p < places.size(); ++p)
+          std::memcpy(data + p * to[k].size,
+                      from[k].data + places[p] * to[k].size,
+                      to[k].size);
+      }
   }
 
 

@@ -134,8 +134,10 @@ namespace Waker
                     });
     // Stress and motion: 2.33, 2.38-2.40, or 2.35-2.37
     scheme().to_points(t, dt, nodes, points, report);
+    if (part && !state->surface_vertices.empty())
+      part->gather_increment(scene.nodes.increment);
     report.held_domains =
-      carried.move(nodes, points, *state); // domains, surfaces
+      carried.move(scene.nodes, points, *state); // domains, surfaces
     state->settlement_rate = settlements.largest(points) / dt;
     if (part)
       end_step_on_ranks();
@@ -145,8 +147,10 @@ namespace Waker
     the_case->pore_water.follow(scene.water_level(state->time),
                                 dt,
                                 state->pore_water);
-    the_case->flow.exchange(nodes, report, dt, *state); // inflow, outflow
-    the_case->programmes.proceed(*state);               // loads go on: 6.2.1
+    the_case->flow.exchange(nodes, report, dt, *state, part.get());
+    the_case->programmes.proceed(*state); // loads go on: 6.2.1
+    if (part && !the_case->programmes.list().empty())
+      part->point_exchange().take("mass", state->points);
   }
 
 
@@ -200,8 +204,8 @@ namespace Waker
     if (slides)
       slides->update(state->time, state->points, state->sliding);
     if (slides && part)
-      part->point_exchange().take_scalar(
-        SlidingMassFinder<dim>::changed_scalar(), state->points);
+      part->point_exchange().take(SlidingMassFinder<dim>::changed_scalar(),
+                                  state->points);
   }
 
 

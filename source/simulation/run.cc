@@ -227,8 +227,7 @@ namespace Waker
       try
         {
           const Case<dim> the_case(parameters, communicator);
-          check_for_ranks(the_case);
-          State<dim> state = initial_state(the_case);
+          State<dim>      state = initial_state(the_case);
           if (setup)
             setup(the_case, state);
           if (options.validate_only)
@@ -270,7 +269,6 @@ namespace Waker
       try
         {
           pointer = std::make_unique<const Case<dim>>(parameters, communicator);
-          check_for_ranks(*pointer);
         }
       catch (const NumericalFailure &failure)
         {

@@ -64,7 +64,9 @@ namespace mechanics_nonlocal_softening
       {
         update->begin(points, weights);
         update->evaluate(points, weights, increment, force);
-        return update->accept(points);
+        const StressReport report = update->accept(points);
+        update->soften(points, weights.background_grid().exchange());
+        return report;
       }
 
       /// Simple shear by this angle.

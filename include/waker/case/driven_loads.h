@@ -17,9 +17,13 @@ namespace Waker
   template <int dim>
   struct DrivenScene
   {
-    const MaterialPoints<dim> &points;
-    const Weights<dim>        &weights;
-    NodalVector               &force; // of the nodes, kN
+    const MaterialPoints<dim> &points; // of the whole body: their places
+    NodalVector               &force;  // of the nodes, kN
+    /// Those that are computed here, and the force of their own nodes: on one
+    /// rank the same.
+    const MaterialPoints<dim> &own_points;
+    const Weights<dim>        &own_weights;
+    NodalVector               &own_force;
     const std::vector<double> &node_mass;
     Tractions<dim>            &tractions;
     WaterLoad<dim>            &water;

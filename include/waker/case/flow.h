@@ -15,6 +15,9 @@ namespace Waker
   template <int dim>
   struct State;
 
+  template <int dim>
+  class RankPart;
+
   /**
    * What flows through the faces of the grid's box: points that pass the open
    * part of a face are removed, others enter through inflows. Part of the case:
@@ -77,12 +80,15 @@ namespace Waker
      * face and let in what is due. The state's time is that of its end.
      *
      * @param nodes, report of the step, which took dt (s)
+     * @param part on several ranks that of this one, to which the nodes belong;
+     *        else nullptr
      */
     void
     exchange(const NodalState      &nodes,
              const StepReport<dim> &report,
              const double           dt,
-             State<dim>            &state) const;
+             State<dim>            &state,
+             RankPart<dim>         *part) const;
 
   private:
     void
@@ -100,12 +106,18 @@ namespace Waker
 
     /// Force on the body at the end of a step (kN).
     Tensor<1, dim>
-    force(const NodalState      &nodes,
+    force(const NodeExchange    &ranks,
+          const NodalState      &nodes,
           const StepReport<dim> &report,
           const double           t) const;
 
+    /// What has passed an open face leaves.
     void
-    remove(State<dim> &state) const;
+    remove(State<dim> &state, RankPart<dim> *part) const;
+
+    /// What is due comes in.
+    void
+    feed(State<dim> &state, RankPart<dim> *part) const;
 
     const BackgroundGrid<dim>    *grid;
     const Materials              *materials;

@@ -10,6 +10,8 @@
 #include <waker/particles/point_exchange.h>
 
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace Waker
 {
@@ -46,15 +48,37 @@ namespace Waker
     void
     map(std::vector<double> &all_mass);
 
-    /// The external force of this part: that of the whole grid, and what the
-    /// water in the ground does to the own points.
+    /// The external force of this part.
+    /// @param all that of the whole grid
+    /// @param of_points by what own points carry, on the own window:
+    /// overwritten
     void
-    take_loads(const NodalVector &all);
+    take_loads(const NodalVector &all, NodalVector &of_points);
 
     /// The points have moved: they go where they belong, and the whole body
     /// gets its places.
     void
     moved(MaterialPoints<dim> &whole);
+
+    /// How far the nodes of the whole grid have moved in the step.
+    void
+    gather_increment(NodalVector &all) const;
+
+    /// Points have left the whole body, or are about to.
+    /// @param list, own_list their places in it, and in the own points
+    void
+    remove(const std::vector<std::size_t> &list,
+           const std::vector<std::size_t> &own_list)
+    {
+      exchange.remove(list, own_list);
+    }
+
+    /// The whole body has got points at its end.
+    void
+    take_new(const MaterialPoints<dim> &whole)
+    {
+      exchange.take_new(*partition, whole);
+    }
 
     /// All that the whole body's copy lacks: arrays of the points, and nodes.
     void
@@ -80,17 +104,12 @@ namespace Waker
     MPI_Comm                        communicator;
     std::unique_ptr<Partition<dim>> partition;
     PointExchange<dim>              exchange;
+    /// Arrays that the whole body must have after each step, beside places.
+    std::vector<std::string> needed;
   };
 
 
-  /// @throws UserError for what cannot be computed on several ranks yet, if
-  ///         there are several
-  template <int dim>
-  void
-  check_for_ranks(const Case<dim> &the_case);
-
   /// On one rank there is none.
-  /// @throws UserError as check_for_ranks() does
   template <int dim>
   std::unique_ptr<RankPart<dim>>
   make_rank_part(const Case<dim> &the_case, const MaterialPoints<dim> &points);

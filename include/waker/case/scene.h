@@ -145,6 +145,7 @@ namespace Waker
     const Case<dim> *the_case;
     RankPart<dim>   *part; // none on one rank
     FacetLoad<dim>   point_loads;
+    NodalVector      of_points; // forces, kN: work space, on several ranks
     DrivenLoads<dim> driven;
   };
 } // namespace Waker

@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
 #include <memory>
 #include <vector>
@@ -112,6 +113,11 @@ namespace Waker
     /// The largest of a number of each rank.
     double
     largest(const double number) const;
+
+    /// Do what may fail on one rank alone: it fails on all of them.
+    /// @throws NumericalFailure what one of them has thrown
+    void
+    together(const std::function<void()> &action) const;
 
     /// Messages and bytes that this rank has sent so far.
     struct Traffic

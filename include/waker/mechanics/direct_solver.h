@@ -32,6 +32,9 @@ namespace Waker
    * Motions much stiffer than s D are solved for but for a share of
    * (s D / A)^2, those much softer stay as they are.
    *
+   * On several ranks each of them reads its own rows, and all factorise the
+   * whole matrix.
+   *
    * Of a definite matrix x = B b, for one factorisation that serves several
    * iterations: they take the shift away.
    */
@@ -53,6 +56,7 @@ namespace Waker
               const MatrixKind kind = MatrixKind::general);
 
     /// x as above, zero where there is no equation.
+    /// @param x, b on several ranks at the own nodes
     /// @param b out: the part of it that the stiffness can carry, b - s D B b
     ///        (as it is, if the matrix is definite)
     void
@@ -61,9 +65,23 @@ namespace Waker
   private:
     struct Factors;
 
+    using Index = typename BackgroundGrid<dim>::Index;
+
+    /// Number the equations of all ranks.
+    void
+    number_equations();
+
+    /// Number of the equation of a component at a node, by its lattice index in
+    /// the whole grid; -1 if there is none.
+    int
+    find_equation(const Index &index, const unsigned int c) const;
+
+    /// Row after row, the entries of the own equations, from products.
+    void
+    read_entries(const Operator &A);
+
     const BackgroundGrid<dim> *grid;
-    std::vector<int>           equation; // of each dof, or -1
-    std::vector<unsigned int>  dofs;     // of each equation
+    std::vector<unsigned int>  dofs; // of the own equations
     NodalVector                src, dst;
     std::unique_ptr<Factors>   factors;
   };

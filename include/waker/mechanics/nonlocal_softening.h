@@ -2,6 +2,7 @@
 #ifndef waker_mechanics_nonlocal_softening_h
 #define waker_mechanics_nonlocal_softening_h
 
+#include <waker/grid/node_exchange.h>
 #include <waker/materials/material.h>
 #include <waker/mechanics/nonlocal_average.h>
 #include <waker/particles/material_points.h>
@@ -38,10 +39,12 @@ namespace Waker
      * @param increments of the "plastic strain" in the step, of all points
      * @param variable_arrays of each material, in which scalars its variables
      *        are
+     * @param ranks of which each has a part of the points
      */
     void
     soften(const std::vector<double>           &increments,
            const std::vector<std::vector<int>> &variable_arrays,
+           const NodeExchange                  &ranks,
            MaterialPoints<dim>                 &points);
 
   private:
@@ -53,8 +56,27 @@ namespace Waker
       NonlocalAverage<dim> average;
     };
 
+    /// The points of one material on all ranks, in the order of their ids:
+    /// sums over them are the same on any number of ranks.
+    struct Surroundings
+    {
+      std::vector<Point<dim>>    position;
+      std::vector<double>        volume;
+      std::vector<double>        increment;
+      std::vector<std::uint32_t> place; // in the own points, or not_here
+    };
+    static constexpr std::uint32_t not_here = -1;
+
+    void
+    gather(const NodeExchange        &ranks,
+           const MaterialPoints<dim> &points,
+           const std::vector<double> &increments,
+           const unsigned int         material);
+
     std::vector<MaterialAverage> averages;
-    std::vector<std::uint32_t>   members; // work space
+    // Work space.
+    std::vector<std::uint32_t> members;
+    Surroundings               around; // on several ranks
   };
 } // namespace Waker
 

@@ -96,11 +96,16 @@ namespace Waker
     has_symmetric_tangents() const;
 
     /// Write the stresses and variables of the last evaluation to the points,
-    /// and sum up what happened; then points soften by what happened around
-    /// them (NonlocalSoftening). They are computed once more: cheaper than to
+    /// and sum up what happened. They are computed once more: cheaper than to
     /// keep them.
     StressReport
     accept(MaterialPoints<dim> &points);
+
+    /// After accept(): points soften by what happened around them
+    /// (NonlocalSoftening).
+    /// @param ranks that have the points around
+    void
+    soften(MaterialPoints<dim> &points, const NodeExchange &ranks);
 
   private:
     /// Scalars per point that fit on the stack; more is a material's mistake.

@@ -43,6 +43,12 @@ namespace Waker
     /// Stretched support domains that were held at the length of a cell.
     std::size_t held_domains = 0;
 
+    /// What each rank has found of its points and nodes becomes that of all of
+    /// them; the displacement rate is already.
+    /// @param n_points of this rank
+    void
+    sum(const NodeExchange &ranks, const std::size_t n_points);
+
     /// @param time the end of the step (s)
     /// @throws NumericalFailure with the name of what is no number: a
     ///         comparison with it is false, and would pass for rest
@@ -154,6 +160,17 @@ namespace Waker
     /// Are the materials linear, and strains to be small? One matrix will do
     /// for a static step.
     bool is_elastic = false;
+
+    /**
+     * How far removed equations move in a step (m, in the order of
+     * Fixities::removed_list()).
+     * @throws NumericalFailure, on all ranks, if one of them, or of the penalty
+     *         supports, is no finite number
+     */
+    void
+    find_motion(const double         t,
+                const double         dt,
+                std::vector<double> &removed_increments) const;
   };
 
   /**

@@ -96,6 +96,11 @@ namespace Waker
            const double               t,
            Tractions                 &tractions);
 
+    /// On several ranks, after reinit(), which finds the same on each: keep
+    /// those contacts whose cells are this rank's, on the nodes of its window.
+    void
+    keep_own(const BackgroundGrid<dim> &window);
+
     /// As the soil lies at the start.
     /// @throws UserError "Walls/<name>/Line" if it lies behind a frictional
     ///         wall
@@ -222,6 +227,10 @@ namespace Waker
     Tensor<1, dim>
     displacement(const Wall &wall, const double t) const;
 
+    /// The cell of the grid that a spot is in, or next to.
+    typename BackgroundGrid<dim>::Index
+    cell_of(const Point<dim> &x) const;
+
     /// The gaps of the frictional walls' spots.
     void
     find_gaps(const MaterialPoints<dim> &points);
@@ -272,6 +281,7 @@ namespace Waker
     traction(const Contact &contact, const NodalVector &increment) const;
 
     const BackgroundGrid<dim> *grid;
+    const NodeExchange        *ranks; // that share the contacts
     double                     full_node_mass;
     std::vector<std::string>   wall_names;
     std::vector<Wall>          walls;

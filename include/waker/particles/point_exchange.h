@@ -6,6 +6,7 @@
 #include <waker/particles/material_points.h>
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace Waker
@@ -45,24 +46,42 @@ namespace Waker
 
     /// What steps change of the places of points: position, velocity, domain,
     /// volume.
+    /// @param more other arrays, by their names (for_each_array())
     void
-    gather_places(MaterialPoints<dim> &whole) const;
+    gather_places(MaterialPoints<dim>            &whole,
+                  const std::vector<std::string> &more = {}) const;
 
     /// All of their arrays.
     void
     gather(MaterialPoints<dim> &whole) const;
 
-    /// The other way: a scalar that has changed in the whole body.
+    /// The other way: an array that has changed in the whole body.
     void
-    take_scalar(const std::string &name, const MaterialPoints<dim> &whole);
+    take(const std::string &name, const MaterialPoints<dim> &whole);
+
+    /**
+     * Points have left: take them from the own ones.
+     * @param list their places in the whole body, ascending
+     * @param own_list those of the own points, ascending
+     */
+    void
+    remove(const std::vector<std::size_t> &list,
+           const std::vector<std::size_t> &own_list);
+
+    /// The whole body has got points at its end: those in own cells are own
+    /// ones.
+    void
+    take_new(const Partition<dim> &partition, const MaterialPoints<dim> &whole);
 
     /// Points of the rank that has most, over those of the mean rank.
     double
     imbalance() const;
 
   private:
+    /// The arrays that are named.
     void
-    gather(MaterialPoints<dim> &whole, const bool places_only) const;
+    gather(MaterialPoints<dim>            &whole,
+           const std::vector<std::string> &names) const;
 
     MPI_Comm                   communicator;
     std::size_t                n_whole;

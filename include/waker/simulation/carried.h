@@ -17,6 +17,7 @@ namespace Waker
     explicit Carried(const Case<dim> &the_case);
 
     /// After a step, of which the points have taken the stress.
+    /// @param nodes of the whole grid
     /// @param points whose domains move: on several ranks those of this one
     /// @return number of domains that were held at the length of a cell
     std::size_t
