@@ -300,7 +300,7 @@ namespace Waker
           }
       }
     if (part != nullptr)
-      part->take_new(points);
+      part->take_new();
   }
 
 
@@ -308,14 +308,12 @@ namespace Waker
   void
   Flow<dim>::remove(State<dim> &state, RankPart<dim> *const part) const
   {
-    const std::vector<std::size_t> list = points_beyond(outlets, state.points);
-    if (list.empty())
-      return;
-    // The sums ask for more than the places, which only the own points have.
     const MaterialPoints<dim> &points =
       part != nullptr ? part->points() : state.points;
-    const std::vector<std::size_t> own_list =
-      part != nullptr ? points_beyond(outlets, points) : list;
+    const std::vector<std::size_t> own_list = points_beyond(outlets, points);
+    const double                   any      = own_list.empty() ? 0. : 1.;
+    if ((part != nullptr ? part->grid->exchange().largest(any) : any) == 0.)
+      return;
     // Only what the sums below ask for.
     MaterialPoints<dim> gone;
     gone.resize(own_list.size());
@@ -335,6 +333,7 @@ namespace Waker
     Tensor<1, dim> momentum_out = momentum(gone);
     double         kinetic = scheme.has_inertia ? kinetic_energy(gone) : 0.;
     double         elastic = elastic_energy(gone, *materials);
+    std::vector<std::size_t> list = own_list;
     if (part != nullptr)
       {
         std::vector<double> sums{mass, kinetic, elastic};
@@ -352,7 +351,7 @@ namespace Waker
             inertia[d]      = sums[3 + 2 * d];
             momentum_out[d] = sums[4 + 2 * d];
           }
-        part->remove(list, own_list);
+        list = part->remove(own_list);
       }
     FlowAccount<dim> &account = state.flow;
     account.points_out += list.size();

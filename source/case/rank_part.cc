@@ -25,12 +25,12 @@ namespace Waker
 
 
   template <int dim>
-  RankPart<dim>::RankPart(const Case<dim>           &the_case,
-                          const MaterialPoints<dim> &points)
+  RankPart<dim>::RankPart(const Case<dim> &the_case, MaterialPoints<dim> &whole)
     : the_case(&the_case)
+    , whole(&whole)
     , communicator(the_case.grid.communicator())
-    , partition(balanced(the_case.grid, communicator, points))
-    , exchange(*partition, communicator, points)
+    , partition(balanced(the_case.grid, communicator, whole))
+    , exchange(*partition, communicator, whole)
   {
     make_window();
     for (const LoadProgrammeParameters &programme :
@@ -79,20 +79,29 @@ namespace Waker
 
   template <int dim>
   void
-  RankPart<dim>::map(std::vector<double> &all_mass)
+  RankPart<dim>::map()
   {
     grid->exchange().together([&]() { weights->reinit(exchange.own()); });
     to_nodes(exchange.own(), *weights, *nodes);
-    partition->gather(*grid, nodes->mass.data(), 1, all_mass.data());
   }
 
 
   template <int dim>
   void
-  RankPart<dim>::take_loads(const NodalVector &all, NodalVector &of_points)
+  RankPart<dim>::gather_mass(std::vector<double> &all) const
+  {
+    partition->gather(*grid, nodes->mass.data(), 1, all.data());
+  }
+
+
+  template <int dim>
+  void
+  RankPart<dim>::take_loads(const NodalVector *const all,
+                            NodalVector             &of_points)
   {
     NodalVector &force = nodes->external_force;
-    partition->restrict_to(*grid, all.begin(), dim, force.begin());
+    if (all != nullptr)
+      partition->restrict_to(*grid, all->begin(), dim, force.begin());
     grid->exchange().sum({{of_points.begin(), dim}});
     force += of_points;
   }
@@ -109,18 +118,31 @@ namespace Waker
 
   template <int dim>
   void
-  RankPart<dim>::moved(MaterialPoints<dim> &whole)
+  RankPart<dim>::moved()
   {
     exchange.send_home(*partition);
-    exchange.gather_places(whole, needed);
+    places_are_known = false;
+  }
+
+
+  template <int dim>
+  MaterialPoints<dim> &
+  RankPart<dim>::know_places()
+  {
+    if (!places_are_known)
+      exchange.gather_places(*whole, needed);
+    places_are_known = true;
+    return *whole;
   }
 
 
   template <int dim>
   void
-  RankPart<dim>::complete(MaterialPoints<dim> &whole, NodalState &all) const
+  RankPart<dim>::complete(NodalState &all)
   {
-    exchange.gather(whole);
+    exchange.gather(*whole);
+    places_are_known = true;
+    gather_mass(all.mass);
     const auto gather = [&](const NodalVector &mine, NodalVector &theirs) {
       theirs.reinit(dim * the_case->grid.n_nodes());
       partition->gather(*grid, mine.begin(), dim, theirs.begin());
@@ -135,7 +157,7 @@ namespace Waker
 
   template <int dim>
   std::unique_ptr<RankPart<dim>>
-  make_rank_part(const Case<dim> &the_case, const MaterialPoints<dim> &points)
+  make_rank_part(const Case<dim> &the_case, MaterialPoints<dim> &points)
   {
     if (Utilities::MPI::n_mpi_processes(the_case.grid.communicator()) == 1)
       return nullptr;
@@ -146,7 +168,7 @@ namespace Waker
   template class RankPart<2>;
   template class RankPart<3>;
   template std::unique_ptr<RankPart<2>>
-  make_rank_part(const Case<2> &, const MaterialPoints<2> &);
+  make_rank_part(const Case<2> &, MaterialPoints<2> &);
   template std::unique_ptr<RankPart<3>>
-  make_rank_part(const Case<3> &, const MaterialPoints<3> &);
+  make_rank_part(const Case<3> &, MaterialPoints<3> &);
 } // namespace Waker

@@ -78,7 +78,9 @@ namespace Waker
   {
     if (part != nullptr)
       {
-        part->map(nodes.mass);
+        part->map();
+        if (looks_at_all())
+          part->gather_mass(nodes.mass);
         return;
       }
     weights.reinit(points);
@@ -119,7 +121,12 @@ namespace Waker
   void
   Scene<dim>::find_surfaces(const State<dim> &state)
   {
-    surfaces.reset(state.points);
+    if (part != nullptr)
+      surfaces.reset(part->body());
+    else
+      surfaces.reset(state.points);
+    if (part != nullptr && has_loads_on_places())
+      part->know_places();
     do_at_step(state.step, [&]() {
       tractions.find(state.points, state.surface_vertices, surfaces);
     });
@@ -248,7 +255,9 @@ namespace Waker
                            const double                   time,
                            const std::vector<LoadRecord> &records)
   {
-    set_gravity<dim>(the_case->parameters.gravity.acceleration, nodes);
+    const bool on_part = part != nullptr && !looks_at_all();
+    set_gravity<dim>(the_case->parameters.gravity.acceleration,
+                     on_part ? *part->nodes : nodes);
     // What points carry themselves is known where they are.
     const MaterialPoints<dim> &own = part != nullptr ? part->points() : points;
     const Weights<dim>        &own_weights =
@@ -284,7 +293,7 @@ namespace Waker
         point_loads.distribute(nodes.mass, 0., nodes.external_force);
       }
     if (part != nullptr)
-      part->take_loads(nodes.external_force, of_points);
+      part->take_loads(on_part ? nullptr : &nodes.external_force, of_points);
   }
 
 
@@ -316,6 +325,23 @@ namespace Waker
   Scene<dim>::resistances()
   {
     return walls.empty() ? Resistances<dim>() : Resistances<dim>{&walls};
+  }
+
+
+  template <int dim>
+  bool
+  Scene<dim>::has_loads_on_places() const
+  {
+    return tractions.size() > 0 || !walls.empty() || !driven.empty() ||
+           !the_case->parameters.point_loads.empty();
+  }
+
+
+  template <int dim>
+  bool
+  Scene<dim>::looks_at_all() const
+  {
+    return has_loads_on_places() || the_case->parameters.water.stands();
   }
 
 

@@ -89,32 +89,32 @@ namespace Waker
 
   template <int dim>
   void
-  FailureRecord::watch_slopes(const MaterialPoints<dim>  &points,
-                              const BackgroundGrid<dim>  &grid,
-                              const int                   inner,
-                              const double                time,
-                              const InitialFailureLimits &limits)
+  FailureRecord::watch_slopes(const std::common_type_t<Body<dim>> &body,
+                              const BackgroundGrid<dim>           &grid,
+                              const int                            inner,
+                              const double                         time,
+                              const InitialFailureLimits          &limits)
   {
     for (SlopeSlide *const slide : {&inner_slide, &outer_slide})
       if (slide->time < 0.)
         {
           const int        direction = slide == &inner_slide ? inner : -inner;
-          const MovingBody body      = largest_moving_body(
-            points, grid, direction, limits.distance, limits.share);
-          if (body.distance > limits.distance && body.share > limits.share)
-            *slide = {time, body};
+          const MovingBody slid      = largest_moving_body(
+            body, grid, direction, limits.distance, limits.share);
+          if (slid.distance > limits.distance && slid.share > limits.share)
+            *slide = {time, slid};
         }
   }
 
 
   template void
-  FailureRecord::watch_slopes(const MaterialPoints<2> &,
+  FailureRecord::watch_slopes(const Body<2> &,
                               const BackgroundGrid<2> &,
                               const int,
                               const double,
                               const InitialFailureLimits &);
   template void
-  FailureRecord::watch_slopes(const MaterialPoints<3> &,
+  FailureRecord::watch_slopes(const Body<3> &,
                               const BackgroundGrid<3> &,
                               const int,
                               const double,

@@ -119,14 +119,15 @@ namespace Waker
      */
     template <int dim>
     bool
-    may_have_moved(const MaterialPoints<dim> &points,
-                   const int                  direction,
-                   const double               distance,
-                   const double               least_share)
+    may_have_moved(const Body<dim> &body,
+                   const int        direction,
+                   const double     distance,
+                   const double     least_share)
     {
-      const double square  = distance * distance;
-      const double half    = 0.5 * distance;
-      double       largest = 0., volume = 0., moved = 0.;
+      const MaterialPoints<dim> &points  = body.own();
+      const double               square  = distance * distance;
+      const double               half    = 0.5 * distance;
+      double                     largest = 0., volume = 0., moved = 0.;
       for (std::size_t q = 0; q < points.n_points(); ++q)
         {
           const Tensor<1, dim> u =
@@ -138,6 +139,11 @@ namespace Waker
                      (std::min(std::sqrt(norm), far_away * distance) - half);
           largest = std::max(largest, norm);
         }
+      double sums[] = {volume, moved};
+      body.sum(sums, 2);
+      volume  = sums[0];
+      moved   = sums[1];
+      largest = body.largest(largest);
       // In space a small part of the whole may be a large cross-section. The
       // sums are rounded.
       return largest > square &&
@@ -173,14 +179,15 @@ namespace Waker
 
   template <int dim>
   MovingBody
-  largest_moving_body(const MaterialPoints<dim> &points,
-                      const BackgroundGrid<dim> &grid,
-                      const int                  direction,
-                      const double               distance,
-                      const double               least_share)
+  largest_moving_body(const std::common_type_t<Body<dim>> &body,
+                      const BackgroundGrid<dim>           &grid,
+                      const int                            direction,
+                      const double                         distance,
+                      const double                         least_share)
   {
-    if (!may_have_moved(points, direction, distance, least_share))
+    if (!may_have_moved(body, direction, distance, least_share))
       return {};
+    const MaterialPoints<dim> &points = body.whole();
 
     const std::size_t   n = points.n_points();
     std::vector<double> displacement(n);
@@ -218,28 +225,29 @@ namespace Waker
         largest = b;
     if (largest == 0)
       return {};
-    MovingBody body;
-    body.area     = extents[largest].area();
-    body.share    = body.area / profile.area();
-    body.distance = moved[largest] / extents[largest].volume - split.lower_mean;
+    MovingBody slide;
+    slide.area  = extents[largest].area();
+    slide.share = slide.area / profile.area();
+    slide.distance =
+      moved[largest] / extents[largest].volume - split.lower_mean;
     std::vector<bool> in_body(n);
     for (std::size_t q = 0; q < n; ++q)
       in_body[q] = displacement[q] >= split.threshold &&
                    bodies.of_cell(cell_of(q)) == largest;
-    body.crest_cut =
+    slide.crest_cut =
       find_crest_cut(points, grid.cell_size(), direction, in_body);
-    return body;
+    return slide;
   }
 
 
   template MovingBody
-  largest_moving_body(const MaterialPoints<2> &,
+  largest_moving_body(const Body<2> &,
                       const BackgroundGrid<2> &,
                       const int,
                       const double,
                       const double);
   template MovingBody
-  largest_moving_body(const MaterialPoints<3> &,
+  largest_moving_body(const Body<3> &,
                       const BackgroundGrid<3> &,
                       const int,
                       const double,

@@ -23,6 +23,31 @@ namespace Waker
     }
 
 
+    /// Is it soil of the start that has not slid yet?
+    bool
+    is_stable(const double slide, const double volume)
+    {
+      return slide == 0. && volume > 0.;
+    }
+
+
+    /// The largest displacement of soil that is stable (m).
+    template <int dim>
+    double
+    largest_of_stable(const MaterialPoints<dim> &points)
+    {
+      const std::vector<double> &slide   = points.scalar(slide_name);
+      const std::vector<double> &volumes = points.scalar(volume_name);
+      double                     largest = 0.;
+      for (std::size_t p = 0; p < points.n_points(); ++p)
+        if (is_stable(slide[p], volumes[p]))
+          largest = std::max(
+            largest,
+            (points.position[p] - points.initial_position[p]).norm_square());
+      return std::sqrt(largest);
+    }
+
+
     /// Places in the arrays, by the points' ids.
     template <int dim>
     void
@@ -130,34 +155,26 @@ namespace Waker
 
 
   template <int dim>
-  void
+  bool
   SlidingMassFinder<dim>::update(const double         time,
+                                 const Body<dim>     &body,
                                  MaterialPoints<dim> &points,
                                  SlidingMasses       &sliding) const
   {
-    std::vector<double>       &slide   = points.scalar(slide_name);
-    const std::vector<double> &volumes = points.scalar(volume_name);
-    sliding.direction                  = crest.direction();
-    sliding.whole_volume               = whole_volume;
+    sliding.direction    = crest.direction();
+    sliding.whole_volume = whole_volume;
     if (dim == 3 && sliding.masses.empty())
       sliding.damaged_crest_width = 0.;
-
-    const auto is_stable = [&](const std::size_t p) {
-      return slide[p] == 0. && volumes[p] > 0.;
-    };
-    double largest = 0.;
-    for (std::size_t p = 0; p < points.n_points(); ++p)
-      if (is_stable(p))
-        largest = std::max(
-          largest,
-          (points.position[p] - points.initial_position[p]).norm_square());
-    sliding.largest_displacement = std::sqrt(largest);
+    sliding.largest_displacement = body.largest(largest_of_stable(body.own()));
     if (!(sliding.largest_displacement > limit))
-      return;
+      return false;
 
-    std::vector<std::size_t> stable;
+    body.whole(); // `points` know their places
+    std::vector<double>       &slide   = points.scalar(slide_name);
+    const std::vector<double> &volumes = points.scalar(volume_name);
+    std::vector<std::size_t>   stable;
     for (std::size_t p = 0; p < points.n_points(); ++p)
-      if (is_stable(p))
+      if (is_stable(slide[p], volumes[p]))
         stable.push_back(p);
     sort_by_id(points, stable);
     while (sliding.largest_displacement > limit)
@@ -196,6 +213,7 @@ namespace Waker
     const CrestDamage damage    = crest.damage(points, flags);
     sliding.retrogression       = damage.retrogression;
     sliding.damaged_crest_width = damage.width;
+    return true;
   }
 
 

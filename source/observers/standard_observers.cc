@@ -92,7 +92,7 @@ namespace Waker
       void
       observe(const StepView<dim> &view, Row &row) override
       {
-        const Tensor<1, dim> p = momentum(view.state.points);
+        const Tensor<1, dim> &p = view.momentum;
         for (unsigned int d = 0; d < dim; ++d)
           row.add(names[0][d], p[d]);
         // Of a step: there has been none at the start.
@@ -235,8 +235,8 @@ namespace Waker
         row.add("Mass out (Mg)", flow.mass_out);
         row.add("Mass remainder (Mg)",
                 mass - flow.mass_start - flow.mass_in + flow.mass_out);
-        const Tensor<1, dim> p         = momentum(view.state.points);
-        const Tensor<1, dim> remainder = p - flow.momentum_start -
+        const Tensor<1, dim> &p         = view.momentum;
+        const Tensor<1, dim>  remainder = p - flow.momentum_start -
                                          flow.impulse - flow.momentum_in +
                                          flow.momentum_out;
         for (unsigned int d = 0; d < dim; ++d)

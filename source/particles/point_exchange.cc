@@ -330,10 +330,17 @@ namespace Waker
 
 
   template <int dim>
-  void
-  PointExchange<dim>::remove(const std::vector<std::size_t> &list,
-                             const std::vector<std::size_t> &own_list)
+  std::vector<std::size_t>
+  PointExchange<dim>::remove(const std::vector<std::size_t> &own_list)
   {
+    std::vector<std::uint32_t> leaving;
+    for (const std::size_t p : own_list)
+      leaving.push_back(places[p]);
+    std::vector<std::size_t> list;
+    for (const std::vector<std::uint32_t> &part :
+         Utilities::MPI::all_gather(communicator, leaving))
+      list.insert(list.end(), part.begin(), part.end());
+    std::sort(list.begin(), list.end());
     remove_points(own_list, points);
     std::size_t n    = 0;
     auto        next = own_list.begin();
@@ -346,6 +353,7 @@ namespace Waker
     for (std::uint32_t &place : places)
       place -= std::lower_bound(list.begin(), list.end(), place) - list.begin();
     n_whole -= list.size();
+    return list;
   }
 
 

@@ -162,7 +162,9 @@ namespace Waker
     state->settlement_rate    = ranks.largest(state->settlement_rate);
     report.held_domains       = static_cast<std::size_t>(
       ranks.sum(static_cast<double>(report.held_domains)));
-    part->moved(state->points);
+    part->moved();
+    if (!the_case->programmes.list().empty())
+      part->know_places();
   }
 
 
@@ -170,8 +172,10 @@ namespace Waker
   void
   Realisation<dim>::complete()
   {
-    if (part)
-      part->complete(state->points, scene.nodes);
+    if (!part)
+      return;
+    part->complete(scene.nodes);
+    scene.surfaces.look_at_whole(state->points);
   }
 
 
@@ -196,14 +200,18 @@ namespace Waker
                           scene.water_level(state->time),
                           parameters.water.stands(),
                           parameters.initial_failure.limits);
-    state->failure.watch_slopes(state->points,
+    const Body<dim> body = part ? part->body() : Body<dim>(state->points);
+    total_momentum       = momentum(body.own());
+    body.sum(&total_momentum[0], dim);
+    state->failure.watch_slopes(body,
                                 the_case->grid,
                                 parameters.water.inner_direction(),
                                 state->time,
                                 parameters.initial_failure.limits);
-    if (slides)
-      slides->update(state->time, state->points, state->sliding);
-    if (slides && part)
+    const bool slid =
+      slides &&
+      slides->update(state->time, body, state->points, state->sliding);
+    if (slid && part)
       part->point_exchange().take(SlidingMassFinder<dim>::changed_scalar(),
                                   state->points);
   }
@@ -280,7 +288,7 @@ namespace Waker
   StepView<dim>
   Realisation<dim>::view() const
   {
-    return {*the_case, *state, scene, report};
+    return {*the_case, *state, scene, report, total_momentum};
   }
 
 

@@ -170,8 +170,9 @@ namespace Waker
 
   template <int dim>
   const std::vector<double> &
-  ProximityField<dim>::field(const MaterialPoints<dim> &points)
+  ProximityField<dim>::field(const Body<dim> &body)
   {
+    const MaterialPoints<dim> &points = body.own();
     std::fill(nodal_field.begin(), nodal_field.end(), 0.);
     // An open interval of length 2a holds at most ceil(2a) nodes. A fixed
     // number lets the compiler unroll the loops.
@@ -189,6 +190,7 @@ namespace Waker
         default:
           add_kernels<4>(points);
       }
+    body.sum(nodal_field.data(), nodal_field.size());
     return nodal_field;
   }
 
@@ -196,10 +198,9 @@ namespace Waker
 
   template <int dim>
   void
-  ProximityField<dim>::detect(const MaterialPoints<dim> &points,
-                              Surface                   &surface)
+  ProximityField<dim>::detect(const Body<dim> &body, Surface &surface)
   {
-    field(points);
+    field(body);
     contour.trace(nodal_field.data() + first_traced, n_x, threshold, surface);
   }
 
@@ -207,10 +208,10 @@ namespace Waker
 
   template <int dim>
   Surface
-  ProximityField<dim>::detect(const MaterialPoints<dim> &points)
+  ProximityField<dim>::detect(const Body<dim> &body)
   {
     Surface surface;
-    detect(points, surface);
+    detect(body, surface);
     return surface;
   }
 
@@ -218,18 +219,17 @@ namespace Waker
 
   template <int dim>
   void
-  ProximityField<dim>::detect(const MaterialPoints<dim> &points,
-                              Facets<dim>               &facets)
+  ProximityField<dim>::detect(const Body<dim> &body, Facets<dim> &facets)
   {
     if constexpr (dim == 2)
       {
-        detect(points, chains);
+        detect(body, chains);
         to_facets(chains, facets);
       }
     else
       {
         Assert(spatial, ExcMessage("A prismatic body has no facets."));
-        spatial->detect(points, facets);
+        spatial->detect(body, facets);
       }
   }
 

@@ -129,8 +129,9 @@ namespace Waker
 
 
   const std::vector<double> &
-  ProximitySurface::field(const MaterialPoints<3> &points)
+  ProximitySurface::field(const Body<3> &body)
   {
+    const MaterialPoints<3> &points = body.own();
     std::fill(nodal_field.begin(), nodal_field.end(), 0.);
     // An open interval of length 2a holds at most ceil(2a) nodes. A fixed
     // number lets the compiler unroll the loops.
@@ -148,14 +149,15 @@ namespace Waker
         default:
           add_kernels<4>(points);
       }
+    body.sum(nodal_field.data(), nodal_field.size());
     return nodal_field;
   }
 
 
   void
-  ProximitySurface::detect(const MaterialPoints<3> &points, Facets<3> &facets)
+  ProximitySurface::detect(const Body<3> &body, Facets<3> &facets)
   {
-    field(points);
+    field(body);
     const unsigned int row   = n_nodes[0];
     const unsigned int plane = n_nodes[0] * n_nodes[1];
     contour.trace(nodal_field.data() + first_traced,

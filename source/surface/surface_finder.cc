@@ -40,9 +40,9 @@ namespace Waker
 
   template <int dim>
   void
-  SurfaceFinder<dim>::reset(const MaterialPoints<dim> &the_points)
+  SurfaceFinder<dim>::reset(const Body<dim> &the_body)
   {
-    points = &the_points;
+    body.emplace(the_body);
     for (auto &[which, section] : sections)
       section.is_valid = false;
     for (auto &[which, surface] : surfaces)
@@ -55,15 +55,15 @@ namespace Waker
   const Facets<2> &
   SurfaceFinder<dim>::section(const FoundSurface which) const
   {
-    Assert(points != nullptr, ExcInternalError());
+    Assert(body, ExcInternalError());
     Found<2> &section = sections[which];
     if (section.is_valid)
       return section.facets;
     if (which == FoundSurface::contour)
-      contour.detect(*points, chains);
+      contour.detect(body->whole(), chains);
     else
       {
-        proximity.detect(*points, chains);
+        proximity.detect(*body, chains);
         has_field = true;
       }
     to_facets(chains, section.facets);
@@ -90,7 +90,7 @@ namespace Waker
   SurfaceFinder<dim>::find(const FoundSurface which,
                            const std::string &path) const
   {
-    Assert(points != nullptr, ExcInternalError());
+    Assert(body, ExcInternalError());
     Found<dim> &surface = surfaces[which];
     if (surface.is_valid)
       return surface;
@@ -98,10 +98,10 @@ namespace Waker
     switch (which)
       {
         case FoundSurface::surface_nodes:
-          cells.find_active(*points, functions, surface.facets);
+          cells.find_active(body->whole(), functions, surface.facets);
           break;
         case FoundSurface::volume:
-          cells.find_volume(*points, path, surface.facets);
+          cells.find_volume(body->whole(), path, surface.facets);
           break;
         case FoundSurface::proximity_field:
         case FoundSurface::contour:
@@ -111,10 +111,10 @@ namespace Waker
               break;
             }
           if (which == FoundSurface::contour)
-            contour.detect(*points, surface.facets);
+            contour.detect(body->whole(), surface.facets);
           else
             {
-              proximity.detect(*points, surface.facets);
+              proximity.detect(*body, surface.facets);
               has_field = true;
             }
           surface.has_holes_marked = false;

@@ -7,6 +7,7 @@
 #include <waker/grid/partition.h>
 #include <waker/mapping/weights.h>
 #include <waker/nodes/nodal_state.h>
+#include <waker/particles/body.h>
 #include <waker/particles/point_exchange.h>
 
 #include <memory>
@@ -29,8 +30,9 @@ namespace Waker
   class RankPart
   {
   public:
-    /// @param points of the whole body
-    RankPart(const Case<dim> &the_case, const MaterialPoints<dim> &points);
+    /// @param whole the points of the whole body, which the rank has a copy of;
+    ///        kept by reference
+    RankPart(const Case<dim> &the_case, MaterialPoints<dim> &whole);
 
     MaterialPoints<dim> &
     points()
@@ -43,46 +45,64 @@ namespace Waker
     bool
     balance();
 
-    /// Mass, velocity and acceleration of the nodes, and all nodes' mass.
+    /// Mass, velocity and acceleration of the nodes.
     /// @throws NumericalFailure, on each rank, as Weights::reinit() does on one
     void
-    map(std::vector<double> &all_mass);
+    map();
+
+    /// Those of the whole grid.
+    void
+    gather_mass(std::vector<double> &all) const;
 
     /// The external force of this part.
-    /// @param all that of the whole grid
-    /// @param of_points by what own points carry, on the own window:
-    /// overwritten
+    /// @param all that of the whole grid; nullptr: it is in the nodes already
+    /// @param of_points by what own points carry, on the own window; changed
     void
-    take_loads(const NodalVector &all, NodalVector &of_points);
+    take_loads(const NodalVector *all, NodalVector &of_points);
 
-    /// The points have moved: they go where they belong, and the whole body
-    /// gets its places.
+    /// The points have moved: they go where they belong.
     void
-    moved(MaterialPoints<dim> &whole);
+    moved();
+
+    /// The whole body's copy gets its places, if it does not have them since
+    /// the points have moved.
+    MaterialPoints<dim> &
+    know_places();
+
+    /// For those who look at all of it.
+    Body<dim>
+    body()
+    {
+      return Body<dim>(exchange.own(),
+                       grid->exchange(),
+                       [this]() -> const MaterialPoints<dim> & {
+                         return know_places();
+                       });
+    }
 
     /// How far the nodes of the whole grid have moved in the step.
     void
     gather_increment(NodalVector &all) const;
 
-    /// Points have left the whole body, or are about to.
-    /// @param list, own_list their places in it, and in the own points
-    void
-    remove(const std::vector<std::size_t> &list,
-           const std::vector<std::size_t> &own_list)
+    /// Points leave the body.
+    /// @param own_list their places in the own points, ascending
+    /// @return those of all of them in the whole body
+    std::vector<std::size_t>
+    remove(const std::vector<std::size_t> &own_list)
     {
-      exchange.remove(list, own_list);
+      return exchange.remove(own_list);
     }
 
     /// The whole body has got points at its end.
     void
-    take_new(const MaterialPoints<dim> &whole)
+    take_new()
     {
-      exchange.take_new(*partition, whole);
+      exchange.take_new(*partition, *whole);
     }
 
     /// All that the whole body's copy lacks: arrays of the points, and nodes.
     void
-    complete(MaterialPoints<dim> &whole, NodalState &nodes) const;
+    complete(NodalState &nodes);
 
     PointExchange<dim> &
     point_exchange()
@@ -101,6 +121,8 @@ namespace Waker
     make_window();
 
     const Case<dim>                *the_case;
+    MaterialPoints<dim>            *whole;
+    bool                            places_are_known = true;
     MPI_Comm                        communicator;
     std::unique_ptr<Partition<dim>> partition;
     PointExchange<dim>              exchange;
@@ -112,7 +134,7 @@ namespace Waker
   /// On one rank there is none.
   template <int dim>
   std::unique_ptr<RankPart<dim>>
-  make_rank_part(const Case<dim> &the_case, const MaterialPoints<dim> &points);
+  make_rank_part(const Case<dim> &the_case, MaterialPoints<dim> &points);
 } // namespace Waker
 
 #endif

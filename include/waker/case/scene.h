@@ -142,6 +142,15 @@ namespace Waker
                  const double                   time,
                  const std::vector<LoadRecord> &records);
 
+    /// Are there loads that act where points are, and not by their mass?
+    bool
+    has_loads_on_places() const;
+
+    /// On several ranks: do loads act on nodes of the whole grid? Without water
+    /// and others there is only weight.
+    bool
+    looks_at_all() const;
+
     const Case<dim> *the_case;
     RankPart<dim>   *part; // none on one rank
     FacetLoad<dim>   point_loads;

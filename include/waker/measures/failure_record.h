@@ -153,11 +153,11 @@ namespace Waker
      */
     template <int dim>
     void
-    watch_slopes(const MaterialPoints<dim>  &points,
-                 const BackgroundGrid<dim>  &grid,
-                 const int                   inner,
-                 const double                time,
-                 const InitialFailureLimits &limits);
+    watch_slopes(const std::common_type_t<Body<dim>> &body,
+                 const BackgroundGrid<dim>           &grid,
+                 const int                            inner,
+                 const double                         time,
+                 const InitialFailureLimits          &limits);
 
     template <typename Archive>
     void

@@ -4,7 +4,9 @@
 
 #include <waker/base/numbers.h>
 #include <waker/grid/background_grid.h>
-#include <waker/particles/material_points.h>
+#include <waker/particles/body.h>
+
+#include <type_traits>
 
 
 namespace Waker
@@ -48,11 +50,11 @@ namespace Waker
    */
   template <int dim>
   MovingBody
-  largest_moving_body(const MaterialPoints<dim> &points,
-                      const BackgroundGrid<dim> &grid,
-                      const int                  direction,
-                      const double               distance,
-                      const double               least_share);
+  largest_moving_body(const std::common_type_t<Body<dim>> &body,
+                      const BackgroundGrid<dim>           &grid,
+                      const int                            direction,
+                      const double                         distance,
+                      const double                         least_share);
 } // namespace Waker
 
 #endif

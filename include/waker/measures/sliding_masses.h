@@ -3,7 +3,7 @@
 #define waker_measures_sliding_masses_h
 
 #include <waker/measures/crest.h>
-#include <waker/particles/material_points.h>
+#include <waker/particles/body.h>
 
 #include <array>
 #include <limits>
@@ -159,11 +159,24 @@ namespace Waker
     static void
     start(MaterialPoints<dim> &points);
 
-    /// Look at the points at a time (s). Idempotent.
+    /**
+     * Look at the points at a time (s). Idempotent.
+     * @param body of which `points` are all
+     * @return has soil slid? Then changed_scalar() of the points is new.
+     */
+    bool
+    update(const double         time,
+           const Body<dim>     &body,
+           MaterialPoints<dim> &points,
+           SlidingMasses       &sliding) const;
+
     void
     update(const double         time,
            MaterialPoints<dim> &points,
-           SlidingMasses       &sliding) const;
+           SlidingMasses       &sliding) const
+    {
+      update(time, points, points, sliding);
+    }
 
   private:
     Crest<dim> crest;

@@ -26,6 +26,7 @@ namespace Waker
     const State<dim>      &state;
     const Scene<dim>      &scene;
     const StepReport<dim> &report;
+    const Tensor<1, dim>  &momentum; // of the body, kN s
   };
 
   /// Where an observer puts its numbers: one column each, the same every step.

@@ -60,13 +60,13 @@ namespace Waker
     take(const std::string &name, const MaterialPoints<dim> &whole);
 
     /**
-     * Points have left: take them from the own ones.
-     * @param list their places in the whole body, ascending
-     * @param own_list those of the own points, ascending
+     * Points leave.
+     * @param own_list their places in the own points, ascending
+     * @return those of all of them in the whole body, ascending: the same on
+     *         each rank
      */
-    void
-    remove(const std::vector<std::size_t> &list,
-           const std::vector<std::size_t> &own_list);
+    std::vector<std::size_t>
+    remove(const std::vector<std::size_t> &own_list);
 
     /// The whole body has got points at its end: those in own cells are own
     /// ones.

@@ -117,6 +117,7 @@ namespace Waker
     std::unique_ptr<TimeScheme<dim>>      scheme_in_motion;
     std::unique_ptr<TimeScheme<dim>>      scheme_at_rest; // or none
     StepReport<dim>                       report;         // of the last step
+    Tensor<1, dim>                        total_momentum; // kN s
   };
 } // namespace Waker
 

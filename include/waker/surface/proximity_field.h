@@ -3,7 +3,7 @@
 #define waker_surface_proximity_field_h
 
 #include <waker/grid/background_grid.h>
-#include <waker/particles/material_points.h>
+#include <waker/particles/body.h>
 #include <waker/surface/marching_squares.h>
 #include <waker/surface/parameters.h>
 #include <waker/surface/proximity_surface.h>
@@ -54,7 +54,7 @@ namespace Waker
     /// nodes of the x-y lattice, x fastest, margin included: n_x n_y entries,
     /// which in 2D are all nodes of the grid. In 3D that of the projection.
     const std::vector<double> &
-    field(const MaterialPoints<dim> &points);
+    field(const Body<dim> &body);
 
     /// The field as last computed; in 3D, unless prismatic, that of the body
     /// itself, at all nodes.
@@ -67,15 +67,15 @@ namespace Waker
     /// The contour of the field at the threshold, in the x-y plane. `surface`
     /// is overwritten, its storage used again.
     void
-    detect(const MaterialPoints<dim> &points, Surface &surface);
+    detect(const Body<dim> &body, Surface &surface);
 
     Surface
-    detect(const MaterialPoints<dim> &points);
+    detect(const Body<dim> &body);
 
     /// The surface of the body itself: segments in 2D, triangles in 3D, there
     /// not if the body is called prismatic. `facets` is overwritten.
     void
-    detect(const MaterialPoints<dim> &points, Facets<dim> &facets);
+    detect(const Body<dim> &body, Facets<dim> &facets);
 
   private:
     // Sum the kernels, each over the `width` x `width` nodes that it can reach.

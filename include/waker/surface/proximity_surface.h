@@ -3,7 +3,7 @@
 #define waker_surface_proximity_surface_h
 
 #include <waker/grid/background_grid.h>
-#include <waker/particles/material_points.h>
+#include <waker/particles/body.h>
 #include <waker/surface/marching_cubes.h>
 
 #include <array>
@@ -36,7 +36,7 @@ namespace Waker
 
     /// PF (no unit; about 1 inside a body) at the nodes, n_nodes long.
     const std::vector<double> &
-    field(const MaterialPoints<3> &points);
+    field(const Body<3> &body);
 
     const std::vector<double> &
     nodal_values() const
@@ -46,7 +46,7 @@ namespace Waker
 
     /// The surface of the body, closed; `facets` is overwritten.
     void
-    detect(const MaterialPoints<3> &points, Facets<3> &facets);
+    detect(const Body<3> &body, Facets<3> &facets);
 
     /// The same as marching cubes left it, with triangles without area.
     const TriangleMesh &

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -58,9 +59,17 @@ namespace Waker
                   const unsigned int                closed_faces,
                   const std::array<double, 2 *dim> &setback = {});
 
-    /// From now on the surfaces are those of these points, which must stay.
+    /// From now on the surfaces are those of this body, whose points must stay.
     void
-    reset(const MaterialPoints<dim> &points);
+    reset(const Body<dim> &body);
+
+    /// What has not been found yet will be found in these points, by one rank
+    /// alone.
+    void
+    look_at_whole(const MaterialPoints<dim> &points)
+    {
+      body.emplace(points);
+    }
 
     /// The section of the surface that Surface/Method asks for, on which a dyke
     /// is measured: the chains' segments, outer chains in the order of
@@ -112,7 +121,7 @@ namespace Waker
     BackgroundGrid<dim> const *grid;
     SurfaceParameters          parameters;
     ShapeFunctions             functions;
-    const MaterialPoints<dim> *points = nullptr;
+    std::optional<Body<dim>>   body;
 
     // What the points imply: work, done when it is first asked for.
     mutable ProximityField<dim> proximity;
