@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One realisation on several ranks is the one on one rank: with tight tolerances
-equal to 1e-10 after 20 steps, in the statistics and in each material point.
+"""One realisation on several ranks is the one on one rank: with tolerances of
+1e-12 equal to 1e-10 after 20 steps, in the statistics and in each material point.
+Single points on a loose surface depend on the tolerance itself: where ten times of
+it changes more than 1e-10 on one rank, the limit is that change.
 
 usage: ranks.py WAKER SOURCE_DIRECTORY [UNIT_TESTS] [CASE...]
 
-Also: a run on three ranks that is interrupted and goes on on two; what is
-refused; the unit tests of partition and exchange on three ranks.
+Also: a run on three ranks that is killed and goes on on two; the unit tests of
+partition and exchange on three ranks.
 """
 import glob
 import os
@@ -30,11 +32,33 @@ cases = {
     "contour": ("chapter5/dyke_weak.prm", ["Grid/Cell size=0.5",
                                            "Surface/Method=contour",
                                            "Time stepping/Ramp duration=0"],
-                0.01, (2, 3)),
+                0.01, (3,)),
+    "explicit": ("chapter5/dyke_weak.prm", ["Grid/Cell size=0.5",
+                                            "Time stepping/Scheme=explicit",
+                                            "Time stepping/Ramp duration=0"],
+                 0.0005, (3,)),
+    "double mapping": ("chapter5/dyke_weak.prm",
+                       ["Grid/Cell size=0.5", "Newton/Tangent=double mapping",
+                        "Kinematics and mapping/Volumetric strain=B-bar",
+                        "Newton/Maximum iterations=500",
+                        "Time stepping/Ramp duration=0"], 0.01, (3,)),
+    "nonlocal": ("chapter5/dyke_weak.prm",
+                 ["Grid/Cell size=0.5", "Time stepping/Ramp duration=0",
+                  "Materials/clay/Regularisation=nonlocal",
+                  "Materials/clay/Averaging length=1"], 0.01, (3,)),
     "pore water": ("verification/dyke_rising_line.prm",
-                   ["Kinematics and mapping/Volumetric strain=standard"], 0.01, (2, 3)),
-    "slice": ("verification/dyke_slice.prm", ["Grid/Cell size=0.5"], 0.01,
-              (2, 3)),
+                   ["Kinematics and mapping/Volumetric strain=standard"], 0.01, (3,)),
+    "slice": ("verification/dyke_slice.prm", ["Grid/Cell size=0.5"], 0.01, (3,)),
+    "flow": ("chapter3/flow.prm", [], 0.01, (3,)),
+    "wall": ("chapter3/inclined_wall.prm", [], 0.02, (3,)),
+    "friction": ("verification/dyke_on_ground.prm", [], 0.01, (3,)),
+    "load programme": ("chapter6/drawdown_2d.prm",
+                       ["Load programmes/drawdown/Start time=0",
+                        "Load programmes/drawdown/Rate=-3"], 0.01, (3,)),
+    "carried surface": ("chapter3/submerged_slope.prm",
+                        ["Grid/Cell size=0.5", "Random fields/Names=",
+                         "Time stepping/Ramp duration=0"], 0.01, (3,)),
+    "slope": ("chapter6/slope.prm", ["Grid/Cell size=0.25"], 0.01, (3,)),
 }
 n_steps = 20
 
@@ -98,16 +122,23 @@ def compare(one, many):
         sys.exit(f"{one}: {a.shape} rows and columns, {many}: {b.shape}")
     # Iterations are no result; differences of large numbers have the round-off
     # of those.
-    skip = ("iterations", "Residual", "Wall", "Linear", "remainder", "Remainder")
-    energy = max(np.abs(a[:, i]).max() for i, name in enumerate(names)
-                 if "kJ" in name) if any("kJ" in n for n in names) else 0.
+    # Where a least height is may be any of several places.
+    skip = ("iterations", "Residual", "Wall", "Linear", "remainder", "Remainder",
+            "z of ")
+    # A column is as exact as the largest of its unit: what is zero by symmetry is
+    # round-off of what is not.
+    scales = {}
+    for i, name in enumerate(names):
+        unit = name[name.rfind("("):] if "(" in name else name
+        scales[unit] = max(scales.get(unit, 0.), np.nanmax(np.abs(a[:, i]),
+                                                           initial=0.))
     for i, name in enumerate(names):
         if any(word in name for word in skip):
             continue
-        d = difference(a[:, i], b[:, i])
-        if "kJ" in name and energy > 0.:
-            d = np.abs(a[:, i] - b[:, i]).max() / energy
-        worst = max(worst, (d, name))
+        scale = scales[name[name.rfind("("):] if "(" in name else name]
+        both = np.isnan(a[:, i]) & np.isnan(b[:, i])
+        d = np.where(both, 0., np.abs(a[:, i] - b[:, i]))
+        worst = max(worst, (np.max(d, initial=0.) / (scale if scale > 0. else 1.), name))
     p, q = last_points(one), last_points(many)
     # Shear stresses of a slice that moves in its plane are round-off.
     stress = max((np.abs(p[name]).max() for name in p if name.startswith("stress")),
@@ -146,30 +177,6 @@ def resume_elsewhere(waker, path, settings, work):
     return d < 1e-10
 
 
-def refusals(waker, source):
-    """Three lines, once, exit code 2."""
-    good = True
-    for file, setting, where in (
-            ("chapter5/dyke_weak.prm", "Time stepping/Scheme=explicit",
-             "Time stepping/Scheme"),
-            ("chapter5/dyke_weak.prm",
-             "Kinematics and mapping/Volumetric strain=B-bar",
-             "Volumetric strain"),
-            ("chapter3/inclined_wall.prm", "Time stepping/Scheme=Newmark", "Walls"),
-            ("chapter3/flow.prm", "Output/Grid=false", "flow")):
-        with tempfile.TemporaryDirectory() as work:
-            done = call([waker, "run", os.path.join(source, "parameters", file),
-                         "--set", "Output/Directory=" + work + "/out",
-                         "--set", setting], 2)
-            if done.returncode != 2 or where not in done.stderr \
-                    or "ranks" not in done.stderr \
-                    or done.stderr.count("allowed:") != 1:
-                print(f"{file}, {setting}: ends with {done.returncode}\n"
-                      + done.stderr)
-                good = False
-    return good
-
-
 def main():
     waker, source = os.path.abspath(sys.argv[1]), sys.argv[2]
     rest = sys.argv[3:]
@@ -180,10 +187,11 @@ def main():
         if done.returncode != 0:
             print(done.stdout + done.stderr)
             bad += 1
-        bad += not refusals(waker, source)
-    for name in rest or list(cases):
+    for name in rest or cases:
         file, settings, step, ranks = cases[name]
-        settings = settings + tight
+        names = {setting.partition("=")[0] for setting in settings}
+        settings = [setting for setting in tight
+                    if setting.partition("=")[0] not in names] + settings
         settings += [f"Time stepping/Time step={step}",
                      f"Time stepping/End time={n_steps * step}",
                      f"Output/Interval={n_steps * step}"]
@@ -191,12 +199,18 @@ def main():
         with tempfile.TemporaryDirectory() as work:
             one = os.path.join(work, "one")
             run(waker, path, settings, one, 1)
+            looser = os.path.join(work, "looser")
+            run(waker, path, [s.replace("Newton/Tolerance=1e-12",
+                                        "Newton/Tolerance=1e-11")
+                              for s in settings], looser, 1)
+            limit = max(1e-10, compare(one, looser)[0])
             for n in ranks:
                 many = os.path.join(work, str(n))
                 run(waker, path, settings, many, n)
                 d, where = compare(one, many)
-                print(f"{name}, {n} ranks: {d:.1e} ({where})")
-                bad += not d < 1e-10
+                print(f"{name}, {n} ranks: {d:.1e} ({where}), at most {limit:.1e}",
+                      flush=True)
+                bad += not d < limit
         if name == "weak dyke":
             with tempfile.TemporaryDirectory() as work:
                 bad += not resume_elsewhere(waker, path, settings, work)
