@@ -227,6 +227,11 @@ namespace statistics_fragility
               }
           }
       }
+    const auto notes = undecided_notes(info, records);
+    ASSERT_EQ(notes.size(), 1U);
+    EXPECT_NE(notes[0].find("45 of 90 undecided: 45 still moving (Water/Level"),
+              std::string::npos)
+      << notes[0];
     const auto points = fragility_points(info, records);
     ASSERT_EQ(points.size(), 3U);
     EXPECT_EQ(points[1].flooding.n, 15U);
