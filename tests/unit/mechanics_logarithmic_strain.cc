@@ -15,6 +15,7 @@ namespace mechanics_logarithmic_strain
 
   using namespace Waker;
   using namespace LogarithmicBody;
+  using LogarithmicBody::identity; // there are others
 
   namespace
   {
@@ -123,40 +124,6 @@ namespace mechanics_logarithmic_strain
                       determinant(F) * at_once.V0,
                       1e-13);
           EXPECT_LT((stepwise.points.deformation[p] - F).norm(), 1e-12);
-        }
-    }
-
-
-    /// Domains follow U, not F: a rotation leaves them, and none outgrows a
-    /// cell.
-    template <int dim>
-    void
-    check_domains()
-    {
-      Body<dim>            body;
-      const Tensor<1, 3>   axis({0., 0., 1.});
-      const Tensor<2, dim> R = Lattice::rotation<dim>(0.7, axis);
-      Tensor<2, dim>       U = identity<dim>();
-      U[0][0]                = 1.3;
-      U[1][1]                = 0.6;
-      U[0][1] = U[1][0] = 0.2;
-      body.deform(R * U);
-      EXPECT_EQ(move_domains(SupportDomains::stretched, h, body.points), 0u);
-      const double l0 = 0.25 * h;
-      for (const auto &l : body.points.half_size)
-        for (unsigned int d = 0; d < dim; ++d)
-          EXPECT_NEAR(l[d], l0 * U[d][d], 1e-13 * l0);
-
-      Tensor<2, dim> stretch = identity<dim>();
-      stretch[0][0]          = 2.;
-      body.deform(stretch * transpose(R));
-      EXPECT_EQ(move_domains(SupportDomains::stretched, h, body.points),
-                body.points.n_points());
-      for (const auto &l : body.points.half_size)
-        {
-          EXPECT_EQ(l[0], 0.5 * h);
-          EXPECT_GT(l[1], 0.5 * l0);
-          EXPECT_LT(l[1], 0.7 * l0);
         }
     }
   } // namespace

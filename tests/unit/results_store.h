@@ -85,39 +85,43 @@ namespace ResultsStore
       return value;
     }
 
-
-    /// Scenario 0 has 0, 1, 2, 5; scenario 1 has 1 and 7.
-    inline std::vector<Record>
-    six_records()
-    {
-      return {synthetic_record(0, 0),
-              synthetic_record(0, 1),
-              synthetic_record(0, 2),
-              synthetic_record(0, 5),
-              synthetic_record(1, 1),
-              synthetic_record(1, 7)};
-    }
+  private:
+    const hid_t file;
+  };
 
 
-    const std::vector<double> realisations = {0., 1., 2., 5., 7.};
+  /// Scenario 0 has 0, 1, 2, 5; scenario 1 has 1 and 7.
+  inline std::vector<Record>
+  six_records()
+  {
+    return {synthetic_record(0, 0),
+            synthetic_record(0, 1),
+            synthetic_record(0, 2),
+            synthetic_record(0, 5),
+            synthetic_record(1, 1),
+            synthetic_record(1, 7)};
+  }
 
 
-    inline void
-    write(const std::string &path, const std::vector<Record> &records)
-    {
-      JournalCounts counts;
-      counts.n_truncated   = 3;
-      counts.n_damaged     = 4;
-      counts.n_foreign     = 5;
-      counts.n_repeated    = 6;
-      counts.n_conflicting = 7;
-      MachineUse use;
-      use.machine.host   = "node7";
-      use.n_realisations = 6;
-      counts.machines    = {use};
-      write_store(
-        path, synthetic_campaign(), records, SlideParameters(), counts, 8);
-    }
-  } // namespace ResultsStore
+  const std::vector<double> realisations = {0., 1., 2., 5., 7.};
+
+
+  inline void
+  write(const std::string &path, const std::vector<Record> &records)
+  {
+    JournalCounts counts;
+    counts.n_truncated   = 3;
+    counts.n_damaged     = 4;
+    counts.n_foreign     = 5;
+    counts.n_repeated    = 6;
+    counts.n_conflicting = 7;
+    MachineUse use;
+    use.machine.host   = "node7";
+    use.n_realisations = 6;
+    counts.machines    = {use};
+    write_store(
+      path, synthetic_campaign(), records, SlideParameters(), counts, 8);
+  }
+} // namespace ResultsStore
 
 #endif
