@@ -50,6 +50,8 @@ namespace Waker
   void
   RankPart<dim>::make_window()
   {
+    if (grid)
+      sent_before += grid->exchange().traffic();
     // Those that look at the window go first.
     weights.reset();
     fixities.reset();

@@ -2,6 +2,7 @@
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_control.h>
 
+#include <waker/mechanics/shared_vector.h>
 #include <waker/mechanics/system_operator.h>
 
 #include <algorithm>
@@ -154,7 +155,7 @@ namespace Waker
   LinearSolver::LinearSolver(const unsigned int  n_dofs,
                              const NodeExchange &ranks)
     : gmres(ranks)
-    , is_one_rank(ranks.is_one_rank())
+    , ranks(&ranks)
   {
     jacobi.get_vector().reinit(n_dofs);
   }
@@ -174,6 +175,32 @@ namespace Waker
   }
 
 
+  namespace
+  {
+    /// x and b may be vectors that ranks share.
+    /// @return has it converged, without a sign that A is not definite?
+    template <typename Vector, typename Preconditioner>
+    bool
+    conjugate_gradients(const Operator       &A,
+                        Vector               &x,
+                        const Vector         &b,
+                        const Preconditioner &preconditioner,
+                        ReductionControl     &control)
+    {
+      SolverCG<Vector> cg(control);
+      try
+        {
+          cg.solve(A, x, b, preconditioner);
+        }
+      catch (const SolverControl::NoConvergence &)
+        {
+          return false; // GMRES will try
+        }
+      return x * b > 0.;
+    }
+  } // namespace
+
+
   LinearReport
   LinearSolver::solve(const Operator    &A,
                       NodalVector       &x,
@@ -183,23 +210,29 @@ namespace Waker
   {
     x = 0.;
     LinearReport report;
-    if (A.is_symmetric() && is_one_rank)
+    // All ranks go the same way.
+    const bool is_symmetric = ranks->largest(A.is_symmetric() ? 0. : 1.) == 0.;
+    if (is_symmetric)
       {
         ReductionControl control(
           max_iterations, 1e-300, tolerance, false, false);
-        SolverCG<NodalVector> cg(control);
-        try
+        if (ranks->is_one_rank())
+          report.converged = conjugate_gradients(A, x, b, jacobi, control);
+        else
           {
-            cg.solve(A, x, b, jacobi);
-            report.converged = true;
-          }
-        catch (const SolverControl::NoConvergence &)
-          {
-            // GMRES will try.
+            SharedVector shared_x(*ranks), shared_b(*ranks);
+            shared_x.reinit(x);
+            shared_b.reinit(b, true);
+            // Equations of others, and those that do not exist, have none.
+            const double *const inverse = jacobi.get_vector().begin();
+            for (unsigned int i = 0; i < b.locally_owned_size(); ++i)
+              shared_b.begin()[i] = inverse[i] != 0. ? b.begin()[i] : 0.;
+            report.converged =
+              conjugate_gradients(A, shared_x, shared_b, jacobi, control);
+            x = shared_x;
           }
         report.iterations = control.last_step();
-        const double work = x * b;
-        if (report.converged && work > 0.)
+        if (report.converged)
           return report;
       }
     LinearReport last = gmres.solve(A, x, b, tolerance, max_iterations);

@@ -127,6 +127,27 @@ namespace Waker
     }
 
 
+    /// Of the first of several ranks.
+    void
+    describe_traffic(const NodeExchange::Traffic &sent,
+                     const unsigned int           n_ranks,
+                     const std::uint64_t          n_steps,
+                     Log                         &log)
+    {
+      if (n_ranks == 1 || n_steps == 0)
+        return;
+      const auto         n = static_cast<double>(n_steps);
+      std::ostringstream text;
+      text.precision(4);
+      text << n_ranks << " ranks; in a step the first one sent "
+           << static_cast<double>(sent.messages) / n << " messages with "
+           << 1e-3 * static_cast<double>(sent.bytes) / n
+           << " kB of nodes, and took part in "
+           << static_cast<double>(sent.reductions) / n << " sums over all";
+      log.line(text.str());
+    }
+
+
     template <int dim>
     RunStatus
     loop(const Case<dim>  &the_case,
@@ -191,6 +212,11 @@ namespace Waker
                              reason,
                              wall.count(),
                              log.warnings());
+      describe_traffic(realisation.traffic(),
+                       Utilities::MPI::n_mpi_processes(
+                         the_case.grid.communicator()),
+                       state.step - first_step,
+                       log);
       describe_result(state,
                       the_case.programmes.names(),
                       outcome,

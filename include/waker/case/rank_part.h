@@ -104,6 +104,15 @@ namespace Waker
     void
     complete(NodalState &nodes);
 
+    /// What this rank has sent so far: of nodes.
+    NodeExchange::Traffic
+    traffic() const
+    {
+      NodeExchange::Traffic sum = sent_before;
+      sum += grid->exchange().traffic();
+      return sum;
+    }
+
     PointExchange<dim> &
     point_exchange()
     {
@@ -123,6 +132,7 @@ namespace Waker
     const Case<dim>                *the_case;
     MaterialPoints<dim>            *whole;
     bool                            places_are_known = true;
+    NodeExchange::Traffic           sent_before; // in windows that are gone
     MPI_Comm                        communicator;
     std::unique_ptr<Partition<dim>> partition;
     PointExchange<dim>              exchange;

@@ -125,6 +125,14 @@ namespace Waker
       std::uint64_t messages   = 0;
       std::uint64_t bytes      = 0;
       std::uint64_t reductions = 0;
+
+      void
+      operator+=(const Traffic &other)
+      {
+        messages += other.messages;
+        bytes += other.bytes;
+        reductions += other.reductions;
+      }
     };
 
     const Traffic &

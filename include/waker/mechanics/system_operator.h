@@ -107,7 +107,7 @@ namespace Waker
    * convergence.
    *
    * On several ranks vectors are those of a rank's window, 0 at the nodes of
-   * others; GMRES solves there in any case.
+   * others.
    */
   class LinearSolver
   {
@@ -131,7 +131,7 @@ namespace Waker
   private:
     DiagonalMatrix<NodalVector> jacobi;
     Gmres                       gmres;
-    bool                        is_one_rank;
+    const NodeExchange         *ranks;
   };
 } // namespace Waker
 

@@ -58,6 +58,13 @@ namespace Waker
     void
     complete();
 
+    /// What this rank has told others of nodes so far; nothing on one rank.
+    NodeExchange::Traffic
+    traffic() const
+    {
+      return part ? part->traffic() : NodeExchange::Traffic();
+    }
+
     /// Does one of the ranks say so? Collective.
     bool
     any(const bool one_does) const;
