@@ -1,0 +1,153 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Numbers and figure of doc/verification/ranks.md: one realisation of the slope of
+chapter 6 (parameters/chapter6/slope.prm) on several ranks.
+
+    ranks.py time WAKER [CELL SIZE]   two ranks against two runs side by side
+    ranks.py count WAKER              what ranks tell each other, on 2 to 8
+    ranks.py model                    fit, table and figure
+
+`time` needs two idle cores. Results are kept in doc/verification/data.
+"""
+
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import time
+
+import numpy as np
+from common import DATA, plt, read_csv, save
+from dyke_runs import write_csv
+
+ENVIRONMENT = dict(os.environ, OMP_NUM_THREADS="1",
+                   OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+                   OMPI_MCA_rmaps_base_oversubscribe="1")
+SLOPE = "parameters/chapter6/slope.prm"
+SENT = re.compile(r"(\d+) ranks; in a step the first one sent (\S+) messages with "
+                  r"(\S+) kB of nodes, and took part in (\S+) sums")
+POINTS = {0.25: 12416, 0.125: 99328, 0.0625: 794624}
+
+# A cluster of today: seconds a message and a stage of a sum, seconds a byte.
+LATENCY, STAGE, PER_BYTE = 2e-6, 2e-6, 1. / 5e9
+
+
+def command(waker, cell, n_steps, folder, n_ranks=1):
+    words = [waker, "run", SLOPE, "--set", f"Grid/Cell size={cell}",
+             "--set", f"Time stepping/End time={0.01 * n_steps}",
+             "--set", "Output/Interval=100", "--set", "Output/Directory=" + folder]
+    if n_ranks > 1:
+        words = ["mpirun", "-n", str(n_ranks)] + words
+    return words
+
+
+def wall_time(commands):
+    start = time.time()
+    running = [subprocess.Popen(words, env=ENVIRONMENT, stdout=subprocess.DEVNULL)
+               for words in commands]
+    if any(process.wait() != 0 for process in running):
+        sys.exit("a run has failed")
+    return time.time() - start
+
+
+def measure_time(waker, cell, few=20, many=80):
+    """Steps only: the difference of a longer and a shorter run."""
+    side, shared = [], []
+    for n_steps in (few, many):
+        with tempfile.TemporaryDirectory() as work:
+            side.append(wall_time([command(waker, cell, n_steps, work + "/a"),
+                                   command(waker, cell, n_steps, work + "/b")]))
+            shared.append(wall_time([command(waker, cell, n_steps, work + "/c", 2)]))
+    steps = many - few
+    one, two = (side[1] - side[0]) / steps, (shared[1] - shared[0]) / steps
+    print(f"cells of {cell} m: a step takes {one:.3f} s side by side, {two:.3f} s on "
+          f"two ranks: efficiency {one / (2. * two):.3f}")
+    append("ranks_time", 1, {"cell size (m)": cell, "side by side (s)": one,
+                             "two ranks (s)": two})
+
+
+def append(name, n_keys, row):
+    """A row of a table, {column: number}; it replaces that with the same keys."""
+    columns = list(row)
+    rows = []
+    if os.path.exists(os.path.join(DATA, name + ".csv")):
+        old = read_csv(name)
+        rows = [list(values) for values in zip(*(old[c] for c in columns))]
+    new = list(row.values())
+    rows = sorted([r for r in rows if r[:n_keys] != new[:n_keys]] + [new])
+    write_csv(name, {c: [r[k] for r in rows] for k, c in enumerate(columns)})
+
+
+def count(waker):
+    for cell, n_steps in ((0.25, 20), (0.125, 10)):
+        for n_ranks in (2, 3, 4, 6, 8):
+            with tempfile.TemporaryDirectory() as work:
+                done = subprocess.run(
+                    command(waker, cell, n_steps, work + "/run", n_ranks),
+                    env=ENVIRONMENT, capture_output=True, text=True)
+            found = SENT.search(done.stdout)
+            if found is None:
+                sys.exit(done.stdout[-2000:] + done.stderr[-2000:])
+            numbers = [float(word) for word in found.groups()]
+            print(cell, numbers)
+            append("ranks_traffic", 2,
+                   dict(zip(("points", "ranks", "messages", "kB", "sums"),
+                            [float(POINTS[cell])] + numbers)))
+
+
+def model():
+    traffic = {key: np.asarray(column) for key, column in
+               read_csv("ranks_traffic").items()}
+    points, ranks = traffic["points"], traffic["ranks"]
+    # The first rank has one neighbour or a few; what it sends goes with the
+    # surface of its part.
+    surface = (points / ranks) ** (2. / 3.)
+    per_surface = np.sum(surface * traffic["kB"]) / np.sum(surface ** 2)
+    messages = float(np.max(traffic["messages"]))
+    sums = float(np.mean(traffic["sums"]))
+    print(f"{1e3 * per_surface:.0f} bytes a step for each (points of the rank)^(2/3), "
+          f"up to {messages:.0f} messages and {sums:.0f} sums")
+    times = read_csv("ranks_time")
+    cell = 0.125
+    k = list(times["cell size (m)"]).index(cell)
+    per_point = times["side by side (s)"][k] / POINTS[cell]
+
+    figure, axes = plt.subplots(figsize=(6, 3.6))
+    print("points, ranks: work, bytes, messages, sums (ms); efficiency")
+    for n in (99328, 794624, 1e7):
+        many = 2 ** np.arange(0, 11)
+        efficiency = []
+        for p in many:
+            work = per_point * n / p
+            sent = 1e3 * per_surface * (n / p) ** (2. / 3.) * PER_BYTE
+            # A part in space has up to 26 others around it.
+            told = messages * min(p - 1, 26) / 3. * LATENCY
+            added = sums * STAGE * np.log2(p) if p > 1 else 0.
+            parts = np.array([work, sent if p > 1 else 0., told, added])
+            efficiency.append(work / parts.sum())
+            if p in (16, 64, 256, 1024):
+                print(f"{n:.0f}, {p}: " + ", ".join(f"{1e3 * t:.3g}" for t in parts)
+                      + f"; {efficiency[-1]:.2f}")
+        axes.semilogx(many, efficiency, marker="o", ms=3, base=2,
+                      label=f"{n:.3g} points")
+    axes.axhline(0.7, color="0.6", lw=0.8)
+    axes.set_xlabel("ranks")
+    axes.set_ylabel("efficiency")
+    axes.legend()
+    save(figure, "ranks_model")
+
+
+def main():
+    if len(sys.argv) < 2 or sys.argv[1] not in ("time", "count", "model"):
+        sys.exit(__doc__)
+    if sys.argv[1] == "model":
+        model()
+    elif sys.argv[1] == "count":
+        count(sys.argv[2])
+    else:
+        measure_time(sys.argv[2], *[float(word) for word in sys.argv[3:4] or ["0.125"]])
+
+
+if __name__ == "__main__":
+    main()
