@@ -4,6 +4,7 @@
 #include <waker/base/host.h>
 #include <waker/case/initial_stress.h>
 #include <waker/case/k0_stress.h>
+#include <waker/case/rank_part.h>
 #include <waker/case/scene.h>
 #include <waker/mapping/stencil.h>
 #include <waker/mechanics/deformation.h>
@@ -89,6 +90,48 @@ namespace Waker
           report.mean_vertical_stress = sum / volume;
         }
     }
+
+
+    /// On several ranks each does its part of the step, and all get the stress
+    /// of all points. Walls, and soils whose stiffnesses mix in cells, are
+    /// looked at as a whole: then each rank makes the whole step.
+    template <int dim>
+    GravityReport
+    shared_gravity_step(const Case<dim>     &the_case,
+                        Scene<dim>          &scene,
+                        MaterialPoints<dim> &points)
+    {
+      const auto step = [&](const Weights<dim>     &weights,
+                            const Fixities<dim>    &fixities,
+                            NodalState             &nodes,
+                            MaterialPoints<dim>    &points,
+                            const Resistances<dim> &resistances) {
+        return gravity_step(the_case.materials,
+                            weights,
+                            fixities,
+                            the_case.full_node_mass,
+                            the_case.parameters.gravity.tolerance,
+                            the_case.parameters.mapping,
+                            nodes,
+                            points,
+                            resistances);
+      };
+      if (Utilities::MPI::n_mpi_processes(the_case.grid.communicator()) == 1 ||
+          !scene.resistances().empty() || may_mix(the_case.materials))
+        return step(scene.weights,
+                    the_case.fixities,
+                    scene.nodes,
+                    points,
+                    scene.resistances());
+      RankPart<dim> part(the_case, points);
+      part.map();
+      NodalVector nothing(part.grid->n_dofs());
+      part.take_loads(&scene.nodes.external_force, nothing);
+      const GravityReport report =
+        step(*part.weights, *part.fixities, *part.nodes, part.points(), {});
+      part.complete(scene.nodes);
+      return report;
+    }
   } // namespace
 
 
@@ -118,15 +161,7 @@ namespace Waker
     switch (in.laws)
       {
         case BalanceLaws::elastic:
-          gravity_report = gravity_step(materials,
-                                        scene.weights,
-                                        fixities,
-                                        full_node_mass,
-                                        parameters.gravity.tolerance,
-                                        parameters.mapping,
-                                        scene.nodes,
-                                        points,
-                                        scene.resistances());
+          gravity_report = shared_gravity_step(*this, scene, points);
           require_balance(gravity_report,
                           parameters.gravity.tolerance,
                           scene.walls.have_friction());
@@ -253,15 +288,7 @@ namespace Waker
       {
         const NodalVector full = scene.nodes.external_force;
         scene.nodes.external_force *= gravity.initial_share;
-        require_balance(gravity_step(the_case.materials,
-                                     scene.weights,
-                                     the_case.fixities,
-                                     the_case.full_node_mass,
-                                     gravity.tolerance,
-                                     the_case.parameters.mapping,
-                                     scene.nodes,
-                                     points,
-                                     scene.resistances()),
+        require_balance(shared_gravity_step(the_case, scene, points),
                         gravity.tolerance,
                         scene.walls.have_friction());
         scene.nodes.external_force = full; // the rest acts from now on

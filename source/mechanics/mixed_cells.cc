@@ -130,6 +130,17 @@ namespace Waker
   } // namespace
 
 
+  bool
+  may_mix(const Materials &materials)
+  {
+    return !std::all_of(materials.begin(), materials.end(), [&](const auto &m) {
+      return m->bulk_modulus() == materials[0]->bulk_modulus() &&
+             m->shear_modulus() == materials[0]->shear_modulus() &&
+             !m->stiffness_variable();
+    });
+  }
+
+
   template <int dim>
   ElasticMixture
   elastic_mixture(const Materials           &materials,
@@ -143,11 +154,7 @@ namespace Waker
         elastic(m->density(), m->bulk_modulus(), m->shear_modulus()));
     mixture.of_point = points.material;
     // Nothing to mix, and no rounding.
-    if (std::all_of(materials.begin(), materials.end(), [&](const auto &m) {
-          return m->bulk_modulus() == materials[0]->bulk_modulus() &&
-                 m->shear_modulus() == materials[0]->shear_modulus() &&
-                 !m->stiffness_variable();
-        }))
+    if (!may_mix(materials))
       return mixture;
 
     Cells      cells;

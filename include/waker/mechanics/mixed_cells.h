@@ -41,6 +41,10 @@ namespace Waker
     MixedCells                 cells;
   };
 
+  /// Do they have different stiffnesses?
+  bool
+  may_mix(const Materials &materials);
+
   /// @param functions of the points: linear ones have no support domains
   template <int dim>
   ElasticMixture
