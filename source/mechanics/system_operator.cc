@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_control.h>
+#include <deal.II/lac/vector_memory.templates.h>
 
 #include <waker/mechanics/shared_vector.h>
 #include <waker/mechanics/system_operator.h>

@@ -29,9 +29,9 @@ namespace LogarithmicBody
 
   /// Points of an elastic material in a homogeneous motion, one step or many.
   template <int dim>
-  struct Body
+  struct StrainedBody
   {
-    Body()
+    StrainedBody()
       : grid(Lattice::grid<dim>(2., h))
       , weights(grid, ShapeFunctions::gimp)
       , force(grid.n_dofs())

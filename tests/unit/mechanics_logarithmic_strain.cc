@@ -23,8 +23,8 @@ namespace mechanics_logarithmic_strain
     void
     check_uniaxial(const double stretch)
     {
-      Body<dim>      body;
-      Tensor<2, dim> F    = identity<dim>();
+      StrainedBody<dim> body;
+      Tensor<2, dim>    F = identity<dim>();
       F[0][0]             = stretch;
       const auto   report = body.deform(F);
       const double M = K + 4. / 3. * G, e = std::log(stretch);
@@ -46,9 +46,9 @@ namespace mechanics_logarithmic_strain
     void
     check_simple_shear(const double gamma)
     {
-      Body<dim>      body;
-      Tensor<2, dim> F = identity<dim>();
-      F[0][1]          = gamma;
+      StrainedBody<dim> body;
+      Tensor<2, dim>    F = identity<dim>();
+      F[0][1]             = gamma;
       body.deform(F);
       // tau = 2 G ln(lambda) (n n - m m), n at half of atan(2 / gamma).
       const double lambda = 0.5 * gamma + std::sqrt(1. + 0.25 * gamma * gamma);
@@ -74,14 +74,14 @@ namespace mechanics_logarithmic_strain
                                        : Tensor<1, 3>({0.3, -0.5, 1.}));
       for (const double angle : {0.01, 1., 3.})
         {
-          const auto R = Lattice::rotation<dim>(angle, axis);
-          Body<dim>  free;
+          const auto        R = Lattice::rotation<dim>(angle, axis);
+          StrainedBody<dim> free;
           free.deform(R);
           for (const auto &stress : free.points.stress)
             EXPECT_LT(stress.norm(), 2e-12 * E);
 
-          Body<dim>       loaded;
-          Lattice::Random random(17);
+          StrainedBody<dim> loaded;
+          Lattice::Random   random(17);
           loaded.deform(identity<dim>() + random.matrix<dim>(-0.3, 0.3));
           const SymmetricTensor<2, 3> before = loaded.points.stress[0];
           const auto                  report = loaded.deform(R);
@@ -104,7 +104,7 @@ namespace mechanics_logarithmic_strain
     {
       Lattice::Random      random(23);
       Tensor<2, dim>       F = identity<dim>();
-      Body<dim>            stepwise, at_once;
+      StrainedBody<dim>    stepwise, at_once;
       const Tensor<2, dim> rate = random.matrix<dim>(-0.08, 0.08);
       for (unsigned int k = 0; k < 20; ++k)
         {
@@ -209,7 +209,7 @@ namespace mechanics_logarithmic_strain
     H[0][0] = -1.2;
     const LogarithmicStep<2> step(H, SymmetricTensor<2, 3>());
     EXPECT_FALSE(std::isfinite(trace(step.trial_strain())));
-    Body<2> body;
+    StrainedBody<2> body;
     body.deform(identity<2>() + H);
     EXPECT_FALSE(std::isfinite(body.force.l2_norm()));
   }

@@ -122,7 +122,7 @@ namespace mechanics_logarithmic_tangent
     void
     check_domains()
     {
-      Body<dim>            body;
+      StrainedBody<dim>    body;
       const Tensor<1, 3>   axis({0., 0., 1.});
       const Tensor<2, dim> R = Lattice::rotation<dim>(0.7, axis);
       Tensor<2, dim>       U = identity<dim>();
