@@ -296,6 +296,12 @@ namespace Waker
     // Only what the sums below ask for.
     MaterialPoints<dim> gone;
     gone.resize(list.size());
+    for (const NamedArray &scalar : points.scalars)
+      {
+        std::vector<double> &values = gone.scalar(scalar.name);
+        for (std::size_t k = 0; k < list.size(); ++k)
+          values[k] = scalar.values[list[k]];
+      }
     FlowAccount<dim> &account = state.flow;
     account.points_out += list.size();
     for (std::size_t k = 0; k < list.size(); ++k)

@@ -8,14 +8,20 @@ namespace Waker
 {
   namespace
   {
-    /// Elastic energy per volume of a stress (kPa).
-    inline double
-    elastic_energy(const SymmetricTensor<2, 3> &stress,
-                   const Material              &material)
+    /// The arrays of the variables of each material in `points`; -1: none.
+    template <int dim>
+    std::vector<std::vector<int>>
+    arrays_of_variables(const Materials           &materials,
+                        const MaterialPoints<dim> &points)
     {
-      const double p = trace(stress) / 3.;
-      return p * p / (2. * material.bulk_modulus()) +
-             (stress * stress - 3. * p * p) / (4. * material.shear_modulus());
+      std::vector<std::vector<int>> arrays;
+      for (const auto &material : materials)
+        {
+          arrays.emplace_back();
+          for (const MaterialVariable &variable : material->variables())
+            arrays.back().push_back(points.find_scalar(variable.name));
+        }
+      return arrays;
     }
   } // namespace
 
@@ -51,14 +57,50 @@ namespace Waker
 
 
   template <int dim>
+  void
+  consolidate(const Materials &materials, MaterialPoints<dim> &points)
+  {
+    const auto          arrays = arrays_of_variables(materials, points);
+    std::vector<double> variables;
+    for (std::size_t p = 0; p < points.n_points(); ++p)
+      {
+        const std::vector<int> &own = arrays[points.material[p]];
+        variables.resize(own.size());
+        for (unsigned int v = 0; v < own.size(); ++v)
+          variables[v] = points.scalars[own[v]].values[p];
+        materials[points.material[p]]->consolidate(points.stress[p],
+                                                   variables.data());
+        for (unsigned int v = 0; v < own.size(); ++v)
+          points.scalars[own[v]].values[p] = variables[v];
+      }
+  }
+
+
+  template <int dim>
   double
   elastic_energy(const MaterialPoints<dim> &points, const Materials &materials)
   {
-    double sum = 0.;
+    constexpr unsigned int N      = Material::block_size;
+    const auto             arrays = arrays_of_variables(materials, points);
+    std::vector<double>    memory;
+    double                 sum = 0.;
     for (std::size_t p = 0; p < points.n_points(); ++p)
-      sum += points.volume[p] *
-             elastic_energy(points.stress[p], *materials[points.material[p]]) /
-             stiffness_ratio(points, materials, p);
+      {
+        const Material         &material = *materials[points.material[p]];
+        const std::vector<int> &own      = arrays[points.material[p]];
+        Material::Block         block    = {};
+        double                  energy[N];
+        memory.assign(N * own.size(), 0.);
+        block.variables = reinterpret_cast<double(*)[N]>(memory.data());
+        for (unsigned int v = 0; v < own.size(); ++v)
+          if (own[v] >= 0)
+            block.variables[v][0] = points.scalars[own[v]].values[p];
+        for (unsigned int a = 0; a < 6; ++a)
+          block.stress[a][0] = points.stress[p].access_raw_entry(a);
+        material.elastic_energy(block, energy);
+        sum +=
+          points.volume[p] * energy[0] / stiffness_ratio(points, materials, p);
+      }
     return sum;
   }
 
@@ -316,6 +358,10 @@ namespace Waker
   stiffness_ratio(const MaterialPoints<3> &,
                   const Materials &,
                   const std::size_t);
+  template void
+  consolidate(const Materials &, MaterialPoints<2> &);
+  template void
+  consolidate(const Materials &, MaterialPoints<3> &);
   template double
   elastic_energy(const MaterialPoints<2> &, const Materials &);
   template double
