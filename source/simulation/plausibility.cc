@@ -8,6 +8,7 @@
 
 #include "plausible_ranges.h"
 #include "prismatic_warnings.h"
+#include "strange_cam_clay.h"
 #include "strange_pore_water.h"
 #include "wall_warnings.h"
 #include <algorithm>
@@ -233,6 +234,7 @@ namespace Waker
     check_strengths_of_points(the_case, ranges);
     check_line(the_case, warnings);
     warn_of_soil_in_water(the_case, warnings);
+    warn_of_consolidation(the_case, warnings);
     check_loads(the_case, warnings);
     warn_of_walls(the_case, warnings);
     const double cells =
