@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/materials/modified_cam_clay.h>
+#include <waker/materials/mohr_coulomb.h>
 
 #include "cam_clay_return.h"
 #include <algorithm>
@@ -80,8 +81,8 @@ namespace Waker
   std::optional<std::pair<unsigned int, std::string>>
   ModifiedCamClay::initial_problem(const std::vector<double> &values) const
   {
-    if (!(values[0] > 0. && values[0] < 90.))
-      return {{0, "above 0 and below 90 (degrees) at every point"}};
+    if (!(values[0] > 0. && values[0] <= largest_friction_angle))
+      return {{0, "above 0, at most 89 (degrees) at every point"}};
     if (!(values[1] >= 0. && values[1] <= 1e6))
       return {{1, "from 0 to 1e6 (kPa) at every point"}};
     return Material::initial_problem(values);

@@ -6,6 +6,7 @@
 #include <waker/base/numbers.h>
 #include <waker/base/text.h>
 #include <waker/materials/modified_cam_clay.h>
+#include <waker/materials/mohr_coulomb.h>
 
 #include "initial_expression.h"
 #include <cmath>
@@ -180,11 +181,10 @@ namespace Waker
                                    const double       pop) const
   {
     const auto phi = plain_number(friction_angle);
-    if (phi && !(*phi >= 0.1 && *phi < 90.))
+    if (phi && !(*phi >= 0.1 && *phi <= largest_friction_angle))
       throw UserError(path + "Friction angle",
                       "is " + in_digits(*phi) + " degrees",
-                      "from 0.1 to below 90: M is above 0; soils have 15 to "
-                      "45");
+                      "from 0.1 to 89: M is above 0; soils have 15 to 45");
     check_range(path + "POP", pop, 0., largest_pressure, "from 0 to 1e6 (kPa)");
     const auto number = plain_number(preconsolidation);
     if (!phi || !number)
