@@ -234,6 +234,9 @@ namespace Waker
             setup(the_case, state);
           if (options.validate_only)
             return RunStatus::completed;
+          // From now on a signal is seen by all ranks together.
+          if (options.before_writing)
+            options.before_writing();
           if (options.resume)
             share_state(communicator, state);
           Realisation<dim> realisation(the_case, state);

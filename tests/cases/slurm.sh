@@ -264,7 +264,7 @@ if srun --mpi=list 2>&1 | grep -q pmix; then
   job=$(WAKER_RANKS=2 submit --ntasks=2 "$scripts/mixed.slurm" "${campaign[@]}" \
     --set Output/Directory=mixed) || give_up "sbatch mixed.slurm"
   wait_until 60 has_records mixed 4 || give_up "the mixed job does not start"
-  scontrol requeue "$job"
+  scancel --batch --signal=USR1 "$job"
   hurry "$job"
   wait_until 240 ended "$job" || give_up "the mixed job does not end"
   check 'the mixed job ended cleanly' \
@@ -276,10 +276,15 @@ if srun --mpi=list 2>&1 | grep -q pmix; then
     --set Output/Directory=odd) || give_up "sbatch mixed.slurm, one task"
   wait_until 60 ended "$job" || give_up "what must be refused does not end"
   check 'two ranks of one are refused' "$(field "$job" ExitCode)" 2:0
+  job=$(WAKER_RANKS=2 submit --ntasks=2 "$scripts/mixed.slurm" "${campaign[@]}" \
+    --set Output/Directory=odd --nonsense) || give_up "sbatch mixed.slurm, wrong"
+  wait_until 60 ended "$job" || give_up "what is wrong does not end"
+  check 'what is wrong does not begin again' "$(field "$job" Restarts)" 0
 
   job=$(submit --ntasks=2 "$scripts/run.slurm" "$file" single --realisation 0 \
-    "${campaign[@]:1}" --set 'Time stepping/Time step=0.0005' \
-    --set Output/Checkpoint\ interval=0.05) || give_up "sbatch run.slurm"
+    --set 'Grid/Cell size=0.5' --set 'Time stepping/Time step=0.001' \
+    --set 'Time stepping/End time=2' \
+    --set 'Output/Checkpoint interval=0.05') || give_up "sbatch run.slurm"
   wait_until 60 has_checkpoint single || give_up "the run does not start"
   scontrol requeue "$job"
   hurry "$job"
