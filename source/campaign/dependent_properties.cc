@@ -179,7 +179,10 @@ namespace Waker
                     "Random fields: the " + soil.variables[v] + " at (" +
                     place_text(dim, coordinates(x)) +
                     ") is not finite, where the vertical stress is " +
-                    std::to_string(place.vertical_stress) + " kPa");
+                    std::to_string(place.vertical_stress) + " kPa" +
+                    the_case->ground.why_uplifted(x,
+                                                  the_case->layers_of_points[q],
+                                                  place));
                 (*variables[v])[q] = values[v];
               }
           }

@@ -3,6 +3,7 @@
 #include <waker/base/numbers.h>
 #include <waker/base/text.h>
 #include <waker/campaign/field_moments.h>
+#include <waker/materials/mohr_coulomb.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +20,7 @@ namespace Waker
         case FieldProperty::residual_friction_angle:
         case FieldProperty::dilatancy_angle:
         case FieldProperty::residual_dilatancy_angle:
-          return 89.;
+          return largest_friction_angle;
         case FieldProperty::strength_exponent:
           return 1.;
         case FieldProperty::strength:

@@ -38,6 +38,21 @@ namespace Waker
     }
 
 
+    /// The names of the materials that have none of these numbers.
+    template <int dim>
+    std::string
+    names_not_in(const Case<dim>                 &the_case,
+                 const std::vector<unsigned int> &numbers)
+    {
+      std::string names;
+      for (unsigned int m = 0; m < the_case.parameters.materials.size(); ++m)
+        if (std::find(numbers.begin(), numbers.end(), m) == numbers.end())
+          names +=
+            (names.empty() ? "" : ", ") + the_case.parameters.materials[m].name;
+      return names;
+    }
+
+
     /// What changes the stress at the start of each realisation must leave it
     /// one that a realisation finds by itself.
     template <int dim>
@@ -74,7 +89,15 @@ namespace Waker
         const std::string            path  = "Random fields/" + field.name;
         names.push_back(field.name);
         average_deviations.push_back(std::sqrt(1. - field.local_share));
-        for (const unsigned int material : materials_of(the_case, field))
+        const std::vector<unsigned int> of_field =
+          materials_of(the_case, field);
+        if (const std::string others = names_not_in(the_case, of_field);
+            field.material_names() == std::vector<std::string>{"all"} &&
+            !others.empty())
+          left_out.push_back("Random field \"" + field.name + "\": not of " +
+                             others + ", whose law has no " +
+                             name_of(field.property));
+        for (const unsigned int material : of_field)
           {
             if (lattices.size() == f)
               {
@@ -284,8 +307,11 @@ namespace Waker
   std::vector<std::string>
   RandomProperties<dim>::description() const
   {
-    return fields == nullptr ? std::vector<std::string>()
-                             : fields->description();
+    if (fields == nullptr)
+      return {};
+    std::vector<std::string> lines = fields->description();
+    lines.insert(lines.end(), left_out.begin(), left_out.end());
+    return lines;
   }
 
 

@@ -133,9 +133,10 @@ namespace Waker
 
 
   template <int dim>
-  Case<dim>::Case(const Parameters &p,
-                  const MPI_Comm    communicator,
-                  Materials         given_materials)
+  Case<dim>::Case(const Parameters     &p,
+                  const MPI_Comm        communicator,
+                  Materials             given_materials,
+                  const BalanceWatcher &watcher)
     : parameters(p)
     , grid(make_grid<dim>(p.grid, communicator))
     , user_surfaces(read_surfaces(p.tractions, grid))
@@ -175,7 +176,7 @@ namespace Waker
         sections = dyke_sections(grid, initial_points);
     if (p.sliding.watch)
       initial_crest(*this); // can it be found?
-    set_initial_state();
+    set_initial_state(watcher);
   }
 
 
@@ -239,7 +240,7 @@ namespace Waker
 
   template <int dim>
   void
-  Case<dim>::set_initial_state()
+  Case<dim>::set_initial_state(const BalanceWatcher &watcher)
   {
     MaterialPoints<dim> &points = initial_points;
     Scene<dim>           scene(*this);
@@ -280,7 +281,7 @@ namespace Waker
       {
         const NodalVector full = scene.nodes.external_force;
         scene.nodes.external_force *= parameters.gravity.initial_share;
-        set_stress(scene);
+        set_stress(scene, watcher);
         scene.nodes.external_force = full; // the rest acts from now on
         give_back_memory();                // what the solver took
       }

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
 #include <waker/base/numbers.h>
+#include <waker/base/text.h>
 #include <waker/case/ground.h>
 #include <waker/case/parameters.h>
 #include <waker/loads/water_level.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <sstream>
 
 namespace Waker
 {
@@ -27,6 +30,7 @@ namespace Waker
     , water_weight(p.water.unit_weight)
     , has_gravity(p.gravity.acceleration > 0.)
     , stress_is_known(p.pore_water.is_there() || !p.water.stands())
+    , lines(p.pore_water)
   {
     // Without gravity nothing weighs anything.
     const double share =
@@ -45,8 +49,13 @@ namespace Waker
                          material_below_line(p.materials, number)});
       }
     for (const TractionParameters &traction : p.tractions)
-      if (traction.kind == TractionKind::hydrostatic)
-        stress_is_known = stress_is_known && p.pore_water.is_there();
+      {
+        if (traction.kind == TractionKind::hydrostatic)
+          stress_is_known = stress_is_known && p.pore_water.is_there();
+        if (!tidy(traction.consolidation).empty())
+          names_of_quick_loads +=
+            (names_of_quick_loads.empty() ? "" : ", ") + traction.name;
+      }
   }
 
 
@@ -57,9 +66,25 @@ namespace Waker
                                const PoreWater<dim> &water,
                                const WeightRatio    &weight_ratio) const
   {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    const double line   = water.empty() ? -infinity : water.line().height(x[0]);
-    double       stress = 0., wet_soil = 0.; // length of it
+    const double line = water.empty() ? -std::numeric_limits<double>::infinity()
+                                      : water.line().height(x[0]);
+    return vertical_stress(column,
+                           x,
+                           line,
+                           {line, water.empty() ? 0. : water.pressure(x)},
+                           weight_ratio);
+  }
+
+
+  template <int dim>
+  double
+  Ground<dim>::vertical_stress(const Column      &column,
+                               const Point<dim>  &x,
+                               const double       line,
+                               const WaterAt     &water,
+                               const WeightRatio &weight_ratio) const
+  {
+    double stress = 0., soil_in_water = 0.; // length of it
     for (const auto &[layer, stretch] : column)
       {
         const double low = std::max(stretch.low, x[1]);
@@ -77,13 +102,60 @@ namespace Waker
               wet *= weight_ratio(soil.material_below_line, x, low, border);
           }
         stress += dry + wet;
-        wet_soil += border - low;
+        soil_in_water += std::clamp(water.line, low, stretch.high) - low;
       }
-    if (water.empty())
+    if (!std::isfinite(water.line))
       return stress;
     // Water stands on the soil, and in its gaps.
-    const double open_water = std::max(line - x[1], 0.) - wet_soil;
-    return stress + water_weight * open_water - water.pressure(x);
+    const double open_water = std::max(water.line - x[1], 0.) - soil_in_water;
+    return stress + water_weight * open_water - water.pressure;
+  }
+
+
+  template <int dim>
+  double
+  Ground<dim>::vertical_stress_under(const Heads       &heads,
+                                     const Point<dim>  &x,
+                                     const unsigned int layer) const
+  {
+    if (layer >= soil_depths.n_layers())
+      return nan;
+    return vertical_stress(soil_depths.column(x),
+                           x,
+                           pore_water->line().height(x[0]),
+                           {heads.phreatic().height(x[0]),
+                            pore_water->pressure(heads, x)},
+                           {}) +
+           quick_loads.stress(x) - load_pressure(x, layer);
+  }
+
+
+  template <int dim>
+  std::string
+  Ground<dim>::why_uplifted(const Point<dim>  &x,
+                            const unsigned int layer,
+                            const InGround    &place) const
+  {
+    if (place.vertical_stress >= 0. && place.daily_vertical_stress >= 0.)
+      return "";
+    if (layer >= soil_depths.n_layers())
+      return " (soil that flows in lies in no ground)";
+    if (!std::isfinite(place.vertical_stress) ||
+        !std::isfinite(place.daily_vertical_stress))
+      return " (a unit weight, a head or a load is too large)";
+    const bool         is_now = !(place.vertical_stress >= 0.);
+    std::ostringstream text;
+    text << " (uplift" << (is_now ? "" : " on usual days")
+         << ": the water there, "
+         << (is_now ? *pore_water : daily_pore_water).pressure(x) << " kPa by "
+         << lines.name_of_line_at(x[0], x[1])
+         << (is_now ? "" : " of those days");
+    const double of_loads = load_pressure(x, layer);
+    if (is_now && of_loads > 0.)
+      text << " and " << of_loads << " kPa by the loads with a Consolidation ("
+           << names_of_quick_loads << ")";
+    text << ", carries more than the soil above weighs)";
+    return text.str();
   }
 
 

@@ -137,6 +137,7 @@ namespace Waker
                   what << ", where vertical_stress is " << place.vertical_stress
                        << " and daily_vertical_stress "
                        << place.daily_vertical_stress << " kPa";
+                  what << ground->why_uplifted(x, layers[p], place);
                 }
               throw UserError(value.path, what.str(), allowed);
             };
@@ -151,7 +152,7 @@ namespace Waker
                                place.daily_vertical_stress) < -round_off)
                     refuse(v,
                            "soil that is heavy enough not to float up "
-                           "(Saturated unit weight)");
+                           "(Saturated unit weight), or lower heads");
                 }
             for (unsigned int v = 0; v < values.size(); ++v)
               points.scalar(list[v]->variable.name)[p] = values[v];

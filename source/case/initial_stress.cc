@@ -94,12 +94,12 @@ namespace Waker
 
   template <int dim>
   void
-  Case<dim>::set_stress(Scene<dim> &scene)
+  Case<dim>::set_stress(Scene<dim> &scene, const BalanceWatcher &watcher)
   {
     const InitialStressParameters &in     = parameters.initial_stress;
     MaterialPoints<dim>           &points = initial_points;
     if (in.daily_stage)
-      carry_daily_stress();
+      carry_daily_stress(watcher);
     else if (in.from == StressFrom::k0)
       set_k0_stress(parameters.materials,
                     materials,
@@ -141,7 +141,8 @@ namespace Waker
                                         parameters.mapping,
                                         scene.nodes,
                                         points,
-                                        scene.resistances());
+                                        scene.resistances(),
+                                        watcher);
           require_balance(*report.balance);
           break;
       }
@@ -152,13 +153,15 @@ namespace Waker
 
   template <int dim>
   void
-  Case<dim>::carry_daily_stress()
+  Case<dim>::carry_daily_stress(const BalanceWatcher &watcher)
   {
     std::unique_ptr<const Case<dim>> daily;
     try
       {
         daily = std::make_unique<const Case<dim>>(daily_stage(parameters),
-                                                  grid.communicator());
+                                                  grid.communicator(),
+                                                  Materials(),
+                                                  watcher);
       }
     catch (const UserError &error)
       {
@@ -273,13 +276,13 @@ namespace Waker
 
 
   template void
-  Case<2>::set_stress(Scene<2> &);
+  Case<2>::set_stress(Scene<2> &, const BalanceWatcher &);
   template void
-  Case<3>::set_stress(Scene<3> &);
+  Case<3>::set_stress(Scene<3> &, const BalanceWatcher &);
   template void
-  Case<2>::carry_daily_stress();
+  Case<2>::carry_daily_stress(const BalanceWatcher &);
   template void
-  Case<3>::carry_daily_stress();
+  Case<3>::carry_daily_stress(const BalanceWatcher &);
   template void
   set_initial_acceleration(const Case<2> &, Scene<2> &, MaterialPoints<2> &);
   template void

@@ -136,11 +136,14 @@ namespace Waker
                               what.str(),
                               "from 0 to 1000; soils have 0.3 to 2");
             if (place.vertical_stress < -least_stress)
-              throw UserError("Initial stress/From",
-                              "is K0, but " + what.str().substr(what.str().find(
-                                                "at the point")),
-                              "soil that is heavy enough not to float up "
-                              "(Saturated unit weight), or gravity");
+              throw UserError(
+                "Initial stress/From",
+                "is K0, but " +
+                  what.str().substr(what.str().find("at the "
+                                                    "point")) +
+                  ground.why_uplifted(x, layers[p], place),
+                "soil that is heavy enough not to float up (Saturated unit "
+                "weight), lower heads, or gravity");
             AtRest at_rest{law,
                            {},
                            place.vertical_stress,

@@ -204,6 +204,16 @@ namespace Waker
   }
 
 
+  double
+  GridParameters::longest_side() const
+  {
+    double longest = 0.;
+    for (std::size_t d = 0; d < lower_corner.size(); ++d)
+      longest = std::max(longest, upper_corner[d] - lower_corner[d]);
+    return longest;
+  }
+
+
   void
   StrengthReductionParameters::add_parameters(ParameterHandler &prm)
   {
@@ -273,7 +283,8 @@ namespace Waker
             material.softens())
           material.nonlocal.check_used("Materials/" + material.name + "/",
                                        grid.cell_size /
-                                         points.points_per_direction);
+                                         points.points_per_direction,
+                                       grid.longest_side());
       }
 
     if (layers.empty())

@@ -13,6 +13,8 @@ namespace Waker
   {
     /// No water in the ground stands further above or below datum (m).
     constexpr double farthest = 1e5;
+    /// Levels that are nearer to each other (m) are one, and a slip.
+    constexpr double nearest_levels = 1e-3;
   } // namespace
 
 
@@ -126,6 +128,14 @@ namespace Waker
                           "has the level " + in_digits(level) + " m after " +
                             in_digits(levels.back()) + " m",
                           allowed);
+        if (!levels.empty() && level - levels.back() < nearest_levels)
+          throw UserError(path,
+                          "has the levels " + in_digits(levels.back()) +
+                            " and " + in_digits(level) +
+                            " m, which are nearly one: the line would jump "
+                            "from one to the other",
+                          "levels that are at least " +
+                            in_digits(nearest_levels) + " m apart");
         const PhreaticLine line(item.substr(colon + 1), path);
         if (line.empty())
           throw UserError(path,

@@ -54,7 +54,7 @@ namespace Waker
       lines_by_level,
       "Instead of Phreatic line: lines that follow the water outside, "
       "\"level: x, y; x, y; ... | level: ...\", two or more, levels (m) "
-      "ascending. Between two levels the height of the line is "
+      "ascending, a millimetre apart at least. Between two levels the height of the line is "
       "interpolated at each x; below the first it is the first line, above the "
       "last the last. It follows at once, step by step, or with a Delay. "
       "Weights, materials and strengths stay those of the line at the start.",
@@ -117,6 +117,33 @@ namespace Waker
       return PhreaticLines(lines_by_level, "Pore water/Lines by level");
     return PhreaticLines(
       PhreaticLine(phreatic_line, "Pore water/Phreatic line"));
+  }
+
+
+  std::string
+  PoreWaterParameters::name_of_line_at(const double x, const double y) const
+  {
+    const std::string phreatic = follows_water() ? "Pore water/Lines by level"
+                                                 : "Pore water/Phreatic line";
+    const auto        named    = [&](const std::string &head_line) {
+      return tidy(head_line).empty() ? phreatic
+                                               : "Head lines/" + tidy(head_line);
+    };
+    // As Heads::at().
+    std::string over;
+    for (const unsigned int i : from_top_to_bottom(reference_lines))
+      {
+        const ReferenceLineParameters &line = reference_lines[i];
+        if (y >= line.place().height(x))
+          {
+            if (over.empty())
+              return phreatic;
+            const std::string under = named(line.top_head_line);
+            return over == under ? over : over + " and " + under;
+          }
+        over = named(line.bottom_head_line);
+      }
+    return over.empty() ? phreatic : over;
   }
 
 

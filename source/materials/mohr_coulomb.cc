@@ -168,10 +168,12 @@ namespace Waker
         if (!(v[0] >= 0. && std::isfinite(v[0]) &&
               (!left || v[0] <= variables[0])))
           return {{3 * s, "a finite number of at least 0 (kPa)" + most.str()}};
-        if (!(v[1] >= 0. && v[1] < 90. && (!left || v[1] <= variables[1])))
+        if (!(v[1] >= 0. && v[1] <= largest_friction_angle &&
+              (!left || v[1] <= variables[1])))
           {
             std::ostringstream text;
-            text << "at least 0 and below 90 (degrees) at every point";
+            text << "from 0 to " << largest_friction_angle
+                 << " (degrees) at every point";
             if (left)
               text << ", at most the peak value, here " << variables[1];
             return {{3 * s + 1, text.str()}};

@@ -33,8 +33,7 @@ namespace Waker
       "Friction angle",
       friction_angle,
       "Angle of internal friction phi (degrees) before any "
-      "plastic strain, at least 0 and below 90: a number, or an "
-      "expression.",
+      "plastic strain, from 0 to 89: a number, or an expression.",
       ExpressionPattern());
     prm.add_parameter(
       "Dilatancy angle",
@@ -140,7 +139,7 @@ namespace Waker
     const auto c = plain_number(cohesion), phi = plain_number(friction_angle),
                psi         = plain_number(dilatancy_angle);
     const auto wrong_angle = [](const std::optional<double> &angle) {
-      return angle && !(*angle >= 0. && *angle < 90.);
+      return angle && !(*angle >= 0. && *angle <= largest_friction_angle);
     };
     if (c && !(*c >= 0.))
       throw UserError(path + "Cohesion",
@@ -149,7 +148,8 @@ namespace Waker
     if (wrong_angle(phi))
       throw UserError(path + "Friction angle",
                       "is " + in_digits(*phi) + " degrees",
-                      "at least 0 and below 90; soils have 15 to 45");
+                      "from 0 to " + in_digits(largest_friction_angle) +
+                        "; soils have 15 to 45");
     if (c && phi && *c == 0. && *phi == 0.)
       throw UserError(path + "Cohesion",
                       "is 0, as is the friction angle: no strength",
@@ -175,10 +175,12 @@ namespace Waker
                       "is " + in_quotes(dilatancy_angle) +
                         ", with a Shear strength table",
                       "a number (degrees)");
-    if (!(softening_strain >= 0.))
+    constexpr double widest = 1e6; // beyond it nothing softens
+    if (!(softening_strain >= 0. && softening_strain <= widest))
       throw UserError(path + "Softening strain",
                       "is " + in_digits(softening_strain),
-                      "above 0, or 0 for no softening");
+                      "above 0, at most " + in_digits(widest) +
+                        ", or 0 for no softening");
 
     // What is not given is as before.
     const MohrCoulombParameters usual;

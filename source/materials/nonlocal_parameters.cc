@@ -52,8 +52,16 @@ namespace Waker
 
   void
   NonlocalParameters::check_used(const std::string &path,
-                                 const double       spacing) const
+                                 const double       spacing,
+                                 const double       longest) const
   {
+    if (length > longest)
+      throw UserError(path + "Averaging length",
+                      "is " + in_digits(length) +
+                        " m, longer than the grid, so that all soil softens "
+                        "as one",
+                      "at most the grid's longest side, " + in_digits(longest) +
+                        " m; better a few distances between points");
     if (!(length >= (1. - 1e-9) * spacing))
       throw UserError(path + "Averaging length",
                       "is " + in_digits(length) +

@@ -167,10 +167,12 @@ namespace Waker
                         " kN/m^3, the unit weight " + in_digits(unit_weight) +
                         " kN/m^3",
                       "at least the unit weight, or 0");
-    if (!(softening_length >= 0. && std::isfinite(softening_length)))
+    constexpr double longest = 1e6; // m: beyond it nothing softens
+    if (!(softening_length >= 0. && softening_length <= longest))
       throw UserError(path + "Softening length",
                       "is " + in_digits(softening_length) + " m",
-                      "a width (m) above 0; 0: softening by the cells");
+                      "a width (m) above 0, at most " + in_digits(longest) +
+                        "; 0: softening by the cells");
     nonlocal.check(path);
     elastic.check(path);
     check_pore_fluid(*this);

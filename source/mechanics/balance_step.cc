@@ -63,7 +63,8 @@ namespace Waker
                const MappingParameters &mapping,
                NodalState              &nodes,
                MaterialPoints<dim>     &points,
-               const Resistances<dim>  &resistances)
+               const Resistances<dim>  &resistances,
+               const BalanceWatcher    &watcher)
   {
     TimeParameters time;
     time.move_points = false;
@@ -107,6 +108,8 @@ namespace Waker
         StepReport<dim> solved = scheme->solve(points, 0., 0., nodes);
         report.iterations += solved.newton_iterations;
         report.residual = solved.residuals.back();
+        if (watcher)
+          watcher(report);
         if (!solved.converged)
           {
             step *= 0.5;
@@ -141,7 +144,8 @@ namespace Waker
                const MappingParameters &,
                NodalState &,
                MaterialPoints<2> &,
-               const Resistances<2> &);
+               const Resistances<2> &,
+               const BalanceWatcher &);
   template BalanceReport
   balance_step(const Materials &,
                const Weights<3> &,
@@ -151,5 +155,6 @@ namespace Waker
                const MappingParameters &,
                NodalState &,
                MaterialPoints<3> &,
-               const Resistances<3> &);
+               const Resistances<3> &,
+               const BalanceWatcher &);
 } // namespace Waker

@@ -81,14 +81,14 @@ namespace Waker
     prm.add_parameter("Largest rise",
                       largest_rise,
                       "Quasi-static at rest: change of the level of the water "
-                      "in a long step (m), up or down, above 0, at most 10. "
-                      "The corners of a table Water/Rise end a step as well.",
+                      "in a long step (m), up or down, from 1e-6 to 10. The "
+                      " corners of a table Water/Rise end a step as well.",
                       Patterns::Double(0.));
     prm.add_parameter("Largest displacement",
                       largest_displacement,
                       "Quasi-static at rest: a step in which more than 0.1 % "
                       "of the soil would move further than this (m) is "
-                      "no long one, as without balance; above 0, at most 10.",
+                      "no long one, as without balance; from 1e-6 to 10.",
                       Patterns::Double(0.));
   }
 
@@ -113,18 +113,17 @@ namespace Waker
       throw UserError("Time stepping/Courant number",
                       "is " + in_digits(courant_number),
                       "above 0 and at most 1");
-    const auto check_limit = [](const std::string &name,
-                                const double       value,
-                                const double       most,
-                                const std::string &unit) {
-      if (!(value > 0. && value <= most))
-        throw UserError("Time stepping/" + name,
-                        "is " + in_digits(value) + " " + unit,
-                        "above 0 and at most " + in_digits(most) + " " + unit);
-    };
-    check_limit("Longest step", longest_step, 1e6, "s");
-    check_limit("Largest rise", largest_rise, 10., "m");
-    check_limit("Largest displacement", largest_displacement, 10., "m");
+    if (!(longest_step > 0. && longest_step <= 1e6))
+      throw UserError("Time stepping/Longest step",
+                      "is " + in_digits(longest_step) + " s",
+                      "above 0 and at most 1e6 s");
+    // Less, and no step is long.
+    require_between("Time stepping/Largest rise", largest_rise, 1e-6, 10., "m");
+    require_between("Time stepping/Largest displacement",
+                    largest_displacement,
+                    1e-6,
+                    10.,
+                    "m");
     if (scheme_traits(*this).has_long_steps && !(longest_step >= time_step))
       throw UserError("Time stepping/Longest step",
                       "is " + in_digits(longest_step) +

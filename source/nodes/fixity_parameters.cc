@@ -2,6 +2,7 @@
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/utilities.h>
 
+#include <waker/base/checks.h>
 #include <waker/base/choice_parameter.h>
 #include <waker/base/errors.h>
 #include <waker/base/numbers.h>
@@ -49,11 +50,12 @@ namespace Waker
                method,
                "elimination removes the equations, penalty adds stiff "
                "springs.");
-    prm.add_parameter("Penalty factor",
-                      penalty_factor,
-                      "Stiffness of a node's spring (no unit, above 0), as a "
-                      "multiple of (K + 4G/3) h^(dim-2).",
-                      Patterns::Double(0.));
+    prm.add_parameter(
+      "Penalty factor",
+      penalty_factor,
+      "Stiffness of a node's spring (no unit), 1e-6 to 1e8, as a "
+      "multiple of (K + 4G/3) h^(dim-2).",
+      Patterns::Double(0.));
   }
 
 
@@ -136,10 +138,7 @@ namespace Waker
                             text(from[d]) + " m",
                           "limits not below those of From");
 
-    if (!(penalty_factor > 0.))
-      throw UserError(path + "Penalty factor",
-                      "is " + text(penalty_factor),
-                      "a number above 0");
+    require_between(path + "Penalty factor", penalty_factor, 1e-6, 1e8);
 
     const auto        prescribed = expressions();
     const std::string allowed = std::to_string(dim) + " expressions of x, y, " +

@@ -11,10 +11,6 @@ namespace Waker
 {
   namespace
   {
-    /// Spots per cell and direction.
-    constexpr double spots_per_cell = 4.;
-
-
     template <int dim>
     std::vector<Expression<dim>>
     read_motion(const WallParameters &wall, const double h)
@@ -53,7 +49,7 @@ namespace Waker
       {
         const std::string path = "Walls/" + p.name + "/Line";
         for (const WallSpot<dim> &spot :
-             make_wall_spots<dim>(p.line, h / spots_per_cell, path))
+             make_wall_spots<dim>(p.line, size_of_wall_spots(grid), path))
           {
             if (!grid.contains(spot.x))
               throw UserError(path,

@@ -16,7 +16,7 @@ namespace Waker
     spots_of(const BackgroundGrid<dim> &grid, const WallParameters &wall)
     {
       return make_wall_spots<dim>(wall.line,
-                                  grid.cell_size(),
+                                  size_of_wall_spots(grid),
                                   "Walls/" + wall.name + "/Line");
     }
   } // namespace

@@ -13,20 +13,6 @@
 
 namespace Waker
 {
-  namespace
-  {
-    void
-    require(const bool         is_good,
-            const std::string &path,
-            const double       value,
-            const std::string &allowed)
-    {
-      if (!is_good)
-        throw UserError(path, "is " + in_digits(value), allowed);
-    }
-  } // namespace
-
-
   void
   WallParameters::add_parameters(ParameterHandler &prm)
   {
@@ -54,16 +40,16 @@ namespace Waker
     prm.add_parameter("Penalty factor",
                       penalty_factor,
                       "Stiffness between soil and wall, as a multiple of "
-                      "(K + 4G/3) / h, above 0.",
+                      "(K + 4G/3) / h, from 1e-6 to 1e8.",
                       Patterns::Double(0.));
     prm.add_parameter("Friction coefficient",
                       friction_coefficient,
                       "Frictional walls: shear traction over pressure where "
-                      "the soil slides, 0 or more.",
+                      "the soil slides, 0 to 100.",
                       Patterns::Double(0.));
     prm.add_parameter("Friction angle",
                       friction_angle,
-                      "The same as an angle (degrees), below 90. Not both.",
+                      "The same as an angle (degrees), 0 to 89. Not both.",
                       Patterns::Double(0.));
     prm.add_parameter("Adhesion",
                       adhesion,
@@ -92,20 +78,14 @@ namespace Waker
                       "has " + std::to_string(n) + " parts",
                       std::to_string(dim) +
                         ", separated by semicolons, or nothing");
-    require_positive(path + "Penalty factor", penalty_factor);
-    const std::string allowed = "a number from 0 on";
-    require(friction_coefficient >= 0. && friction_coefficient < 1e6,
-            path + "Friction coefficient",
-            friction_coefficient,
-            allowed);
-    require(friction_angle >= 0. && friction_angle < 90.,
-            path + "Friction angle",
-            friction_angle,
-            "an angle from 0 to below 90 degrees");
-    require(adhesion >= 0. && adhesion < 1e9,
-            path + "Adhesion",
-            adhesion,
-            allowed);
+    require_between(path + "Penalty factor", penalty_factor, 1e-6, 1e8);
+    require_between(path + "Friction coefficient",
+                    friction_coefficient,
+                    0.,
+                    100.);
+    require_between(
+      path + "Friction angle", friction_angle, 0., 89., "degrees");
+    require_between(path + "Adhesion", adhesion, 0., 1e6, "kPa");
     if (friction_coefficient > 0. && friction_angle > 0.)
       throw UserError(path + "Friction angle",
                       "is " + in_digits(friction_angle) +

@@ -6,6 +6,7 @@
 #include <waker/campaign/input.h>
 #include <waker/case/cross_section.h>
 #include <waker/program/declared_parameters.h>
+#include <waker/program/magnitudes.h>
 #include <waker/program/parameter_hash.h>
 #include <waker/program/parameter_names.h>
 #include <waker/program/parameter_reader.h>
@@ -174,6 +175,7 @@ namespace Waker
         {
           input->prepare_materials();
           input->check();
+          check_magnitudes(values); // after what knows better
           take_cross_section(input->simulation);
           input->simulation.hash = hash_of_steps(values, files);
           input->campaign_hash   = hash_of_records(values, files);

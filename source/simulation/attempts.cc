@@ -2,6 +2,7 @@
 #include <waker/simulation/attempts.h>
 
 #include <cmath>
+#include <utility>
 
 namespace Waker
 {
@@ -15,10 +16,12 @@ namespace Waker
   template <int dim>
   Attempts<dim>::Attempts(const Parameters  &parameters,
                           const unsigned int n,
-                          const MPI_Comm     communicator)
+                          const MPI_Comm     communicator,
+                          BalanceWatcher     watcher)
     : parameters(parameters)
     , n(n)
     , communicator(communicator)
+    , watcher(std::move(watcher))
   {
     add();
   }
@@ -31,7 +34,8 @@ namespace Waker
     Parameters smaller = parameters;
     smaller.time.time_step =
       time_step_of_attempt(parameters.time.time_step, cases.size());
-    cases.push_back(std::make_unique<const Case<dim>>(smaller, communicator));
+    cases.push_back(std::make_unique<const Case<dim>>(
+      smaller, communicator, Materials(), watcher));
   }
 
 

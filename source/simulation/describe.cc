@@ -244,6 +244,19 @@ namespace Waker
   }
 
 
+  BalanceWatcher
+  initial_stress_progress(const InitialStressParameters &parameters, Log &log)
+  {
+    return [n = parameters.steps, &log](const BalanceReport &report) {
+      if (log.progress_due())
+        log.progress(report.share,
+                     "initial stress: load step " +
+                       std::to_string(report.steps + 1) + " of at least " +
+                       std::to_string(n));
+    };
+  }
+
+
   std::string
   load_text(const LoadRecord &load, const LoadName &name)
   {

@@ -6,9 +6,10 @@
 #include <waker/particles/layer_gaps.h>
 #include <waker/simulation/plausibility.h>
 
-#include "plausible_ranges.h"
 #include "prismatic_warnings.h"
 #include "strange_pore_water.h"
+#include "strange_strengths.h"
+#include "uplift_warnings.h"
 #include "wall_warnings.h"
 #include <algorithm>
 #include <cmath>
@@ -22,45 +23,6 @@ namespace Waker
     /// Stiffnesses in one cell that differ by more leave marks in the stress
     /// when loads change.
     constexpr double smallest_ratio = 1.5;
-
-
-    /// Strengths that are expressions: the least and the largest of the points.
-    template <int dim>
-    void
-    check_strengths_of_points(const Case<dim> &the_case, Ranges &ranges)
-    {
-      const MaterialPoints<dim>             &points = the_case.initial_points;
-      const std::vector<MaterialParameters> &materials =
-        the_case.parameters.materials;
-      for (std::size_t m = 0;
-           m < std::min(materials.size(), the_case.materials.size());
-           ++m)
-        {
-          const auto strength = variable_of(*the_case.materials[m],
-                                            MaterialVariable::Role::strength);
-          if (!strength || !strength->initial_value.varies() ||
-              !materials[m].undrained_strength())
-            continue;
-          const auto &values =
-            points.scalars[points.find_scalar(strength->name)].values;
-          double least = std::numeric_limits<double>::max(), largest = 0.;
-          for (std::size_t p = 0; p < points.n_points(); ++p)
-            if (points.material[p] == m)
-              {
-                least   = std::min(least, values[p]);
-                largest = std::max(largest, values[p]);
-              }
-          if (!(largest >= least))
-            continue; // no points
-          const std::string path = "Materials/" + materials[m].name + "/";
-          for (const double value : {least, largest})
-            check_strength(path,
-                           materials[m].von_mises.strength.name_of_parameter(),
-                           value,
-                           materials[m].elastic.youngs_modulus,
-                           ranges);
-        }
-    }
 
 
     /// A phreatic line above the ground, with no water on it.
@@ -229,10 +191,10 @@ namespace Waker
     const Parameters        &p        = the_case.parameters;
     std::vector<std::string> warnings = strange_parameters(p);
     const double             h        = the_case.grid.cell_size();
-    Ranges                   ranges(warnings);
-    check_strengths_of_points(the_case, ranges);
+    check_strengths_of_points(the_case, warnings);
     check_line(the_case, warnings);
     warn_of_soil_in_water(the_case, warnings);
+    warn_of_uplift_in_storm(the_case, warnings);
     check_loads(the_case, warnings);
     warn_of_walls(the_case, warnings);
     const double cells =

@@ -13,6 +13,7 @@
 #include <waker/output/output_files.h>
 #include <waker/output/output_folder.h>
 #include <waker/simulation/describe.h>
+#include <waker/simulation/plausibility.h>
 #include <waker/simulation/recorder.h>
 #include <waker/simulation/run.h>
 #include <waker/simulation/run_to_end.h>
@@ -100,6 +101,33 @@ namespace Waker
 
 
     template <int dim>
+    void
+    warn_of_idle_walls(const Case<dim>  &the_case,
+                       const Scene<dim> &scene,
+                       Log              &log)
+    {
+      const std::vector<unsigned int> now = scene.walls.idle();
+      for (const unsigned int w : the_case.idle_walls)
+        if (std::find(now.begin(), now.end(), w) != now.end())
+          log.warning("Walls/" + the_case.parameters.walls[w].name +
+                      ": no soil touched it at the start, nor does any at the "
+                      "end: it may have held nothing");
+    }
+
+
+    /// What was warned of may be why a run has failed numerically.
+    void
+    repeat_warnings(const RunStatus status, Log &log)
+    {
+      if (status != RunStatus::numerical_failure || log.warnings().empty())
+        return;
+      log.line("  It was warned of, and may be why:");
+      for (const std::string &text : log.warnings())
+        log.line("    " + text);
+    }
+
+
+    template <int dim>
     RunStatus
     loop(const Case<dim>  &the_case,
          const RunOptions &options,
@@ -156,6 +184,7 @@ namespace Waker
       if (!pumped.empty())
         log.warning(pumped);
       warn_of_lost_loads(the_case.programmes, state, log);
+      warn_of_idle_walls(the_case, realisation.view().scene, log);
       recorder.write_summary(state,
                              the_case.programmes.names(),
                              outcome,
@@ -171,6 +200,7 @@ namespace Waker
                       wall.count(),
                       state.step - first_step,
                       log);
+      repeat_warnings(status, log);
       return status;
     }
   } // namespace
@@ -281,11 +311,20 @@ namespace Waker
       std::unique_ptr<const Case<dim>> pointer;
       try
         {
-          pointer = std::make_unique<const Case<dim>>(parameters, communicator);
+          pointer = std::make_unique<const Case<dim>>(
+            parameters,
+            communicator,
+            Materials(),
+            initial_stress_progress(parameters.initial_stress, log));
+          log.end_progress();
           check_for_ranks(*pointer);
         }
       catch (const NumericalFailure &failure)
         {
+          log.end_progress();
+          // One of these may be why.
+          for (const std::string &text : strange_parameters(parameters))
+            log.warning(text);
           log.line(std::string("Numerical failure: ") + failure.what());
           if (!options.validate_only && !options.resume)
             {

@@ -3,6 +3,7 @@
 #include <waker/base/text.h>
 #include <waker/case/load_programmes.h>
 #include <waker/loads/water_level.h>
+#include <waker/materials/shear_strength_table.h>
 #include <waker/mechanics/time_scheme.h>
 #include <waker/particles/layer_gaps.h>
 #include <waker/simulation/plausibility.h>
@@ -206,6 +207,29 @@ namespace Waker
     }
 
 
+    /// Of a table the strongest entry, and the steepest line.
+    void
+    check_table(const std::string           &path,
+                const MohrCoulombParameters &p,
+                Ranges                      &ranges)
+    {
+      const std::string name = path + "Shear strength table";
+      double            most = 0., steepest = 0.;
+      for (const auto &entry : shear_strength_entries(p.strength_table, name))
+        most = std::max(most, entry.second);
+      for (const ShearStrengthTable::Line &line :
+           lines_through(shear_strength_entries(p.strength_table, name)))
+        steepest = std::max(steepest, line.tan_phi);
+      ranges.check(
+        name + " (largest strength)", most, 0.5, 2000., " kPa", "soils have");
+      ranges.check(
+        name + " (steepest slope)", steepest, 0., 1.5, "", "soils have");
+      if (const auto psi = plain_number(p.dilatancy_angle))
+        ranges.check(
+          path + "Dilatancy angle", *psi, 0., 20., " degrees", "soils have");
+    }
+
+
     void
     check_material(const MaterialParameters &m, Ranges &ranges)
     {
@@ -224,7 +248,9 @@ namespace Waker
                    0.495,
                    "",
                    "usual is");
-      if (m.model == MaterialModel::mohr_coulomb)
+      if (m.model == MaterialModel::mohr_coulomb && m.mohr_coulomb.has_table())
+        check_table(path, m.mohr_coulomb, ranges);
+      else if (m.model == MaterialModel::mohr_coulomb)
         check_friction(path, m.mohr_coulomb, ranges);
       const UndrainedStrengthParameters &strength = m.von_mises.strength;
       if (m.model == MaterialModel::von_mises_softening &&
@@ -268,9 +294,8 @@ namespace Waker
       {
         check_material(material, ranges);
         check_softening(material,
-                        p.grid.cell_size,
+                        p.grid,
                         p.points.points_per_direction,
-                        p.dimension,
                         warnings);
       }
     if (p.gravity.acceleration > 0.)

@@ -169,8 +169,9 @@ namespace Waker
       return;
     std::ostringstream text;
     text << "Pore water: at " << n << " points the water carries more than "
-         << "the soil above weighs, most at " << place_text(at)
-         << " m, where the pressure is " << the_case.pore_water.pressure(at)
+         << "the soil above weighs, most at " << place_text(at) << " m, where "
+         << the_case.parameters.pore_water.name_of_line_at(at[0], at[1])
+         << " makes a pressure of " << the_case.pore_water.pressure(at)
          << " kPa and the effective vertical stress " << least
          << " kPa: the soil is lifted up";
     warnings.push_back(text.str());

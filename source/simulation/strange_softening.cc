@@ -3,6 +3,7 @@
 
 #include <waker/mechanics/nonlocal_average.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -62,7 +63,7 @@ namespace Waker
     void
     check_nonlocal(const MaterialParameters &m,
                    const double              spacing,
-                   const unsigned int        dim,
+                   const GridParameters     &grid,
                    std::vector<std::string> &warnings)
     {
       const std::string path = "Materials/" + m.name + "/";
@@ -87,15 +88,22 @@ namespace Waker
                   "cells; 2 is usual";
           warn(text);
         }
+      const std::size_t dim    = grid.lower_corner.size();
+      double            in_box = 1.; // points, of soil everywhere
+      for (std::size_t d = 0; d < dim; ++d)
+        in_box *= (grid.upper_corner[d] - grid.lower_corner[d]) / spacing;
       const double in_reach =
-        (dim == 2 ? 1. : 4. / 3.) * std::acos(-1.) *
-        std::pow(NonlocalAverage<2>::reach * l / spacing, dim);
-      if (in_reach > 20000.)
+        std::min(in_box,
+                 (dim == 2 ? 1. : 4. / 3.) * std::acos(-1.) *
+                   std::pow(NonlocalAverage<2>::reach * l / spacing, dim));
+      constexpr double many = 20000., most_of_it = 0.5;
+      if (in_reach > many || in_reach > most_of_it * in_box)
         {
           std::ostringstream text;
           text << path << "Averaging length is " << l
-               << " m: averages are over some " << in_reach
-               << " points each, and steps take long";
+               << " m: averages are over up to " << std::round(in_reach)
+               << " points each, " << std::round(100. * in_reach / in_box)
+               << " % of what the grid has room for, and steps take long";
           warn(text);
         }
     }
@@ -104,15 +112,14 @@ namespace Waker
 
   void
   check_softening(const MaterialParameters &m,
-                  const double              cell_size,
+                  const GridParameters     &grid,
                   const unsigned int        points_per_direction,
-                  const unsigned int        dim,
                   std::vector<std::string> &warnings)
   {
     check_snap_back(m,
-                    m.softening_measure(cell_size).of_uniform_strain(),
+                    m.softening_measure(grid.cell_size).of_uniform_strain(),
                     warnings);
     if (m.regularisation == Regularisation::nonlocal && m.softens())
-      check_nonlocal(m, cell_size / points_per_direction, dim, warnings);
+      check_nonlocal(m, grid.cell_size / points_per_direction, grid, warnings);
   }
 } // namespace Waker

@@ -2,7 +2,7 @@
 #ifndef waker_source_simulation_strange_softening_h
 #define waker_source_simulation_strange_softening_h
 
-#include <waker/materials/factory.h>
+#include <waker/case/parameters.h>
 
 #include <string>
 #include <vector>
@@ -13,9 +13,8 @@ namespace Waker
   /// averages that regularise nothing, or take long.
   void
   check_softening(const MaterialParameters &material,
-                  const double              cell_size,
+                  const GridParameters     &grid,
                   const unsigned int        points_per_direction,
-                  const unsigned int        dim,
                   std::vector<std::string> &warnings);
 } // namespace Waker
 

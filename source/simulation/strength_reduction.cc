@@ -192,8 +192,14 @@ namespace Waker
     check_output_folder(directory, mode);
     if (!options.validate_only)
       refuse_locked_folder(directory);
-    Attempts<dim>    cases(parameters, strengths.attempts, communicator);
-    const Case<dim> &the_case = cases.first();
+    Log           log(std::cout, Log::is_terminal());
+    Attempts<dim> cases(parameters,
+                        strengths.attempts,
+                        communicator,
+                        initial_stress_progress(parameters.initial_stress,
+                                                log));
+    log.end_progress();
+    const Case<dim>               &the_case = cases.first();
     const std::vector<std::string> reduced =
       described_strengths(the_case.materials, parameters.materials);
     State<dim>               first = initial_state(the_case);
@@ -201,10 +207,10 @@ namespace Waker
     if (strengths.setup)
       setup_lines = strengths.setup(the_case, first);
 
-    Log        log(std::cout, Log::is_terminal());
-    const auto describe = [&]() {
+    const std::vector<std::string> kept     = kept_walls(parameters.walls);
+    const auto                     describe = [&]() {
       describe_case(the_case, log);
-      for (const std::vector<std::string> &lines : {reduced, setup_lines})
+      for (const std::vector<std::string> &lines : {reduced, kept, setup_lines})
         for (const std::string &line : lines)
           log.line(line);
       log.line("Strengths: " + strengths.name + ".");

@@ -69,6 +69,20 @@ namespace Waker
   }
 
 
+  std::vector<std::string>
+  kept_walls(const std::vector<WallParameters> &walls)
+  {
+    std::vector<std::string> lines;
+    for (const WallParameters &wall : walls)
+      if (wall.type == WallType::frictional &&
+          (wall.friction() > 0. || wall.adhesion > 0.))
+        lines.push_back("  reduced   Walls/" + wall.name +
+                        ": nothing, its friction and adhesion are no strength "
+                        "of the soil and stay as they are");
+    return lines;
+  }
+
+
   template void
   divide_strengths(const Materials &, const double, MaterialPoints<2> &);
   template void

@@ -2,6 +2,7 @@
 #include <waker/statistics/estimates.h>
 #include <waker/statistics/yearly.h>
 
+#include <cstdint>
 #include <cstdio>
 
 namespace Waker
@@ -107,6 +108,33 @@ namespace Waker
   }
 
 
+  namespace
+  {
+    /// ": 3 still moving, 12 loads still change (...)": of those that are not
+    /// decided.
+    std::string
+    why_undecided(const std::vector<std::vector<Record>> &records_by_scenario)
+    {
+      std::string text;
+      for (const Outcome outcome : all_outcomes())
+        {
+          std::uint64_t n = 0;
+          for (const std::vector<Record> &records : records_by_scenario)
+            for (const Record &record : records)
+              n += record.outcome == outcome ? 1 : 0;
+          if (n == 0 || is_decided(outcome))
+            continue;
+          text += (text.empty() ? ": " : ", ") + std::to_string(n) + " " +
+                  to_string(outcome);
+          if (outcome == Outcome::loads_change)
+            text += " (a later Time stepping/End time decides; with Delay it "
+                    "is 7 delays after the last change of the water outside)";
+        }
+      return text;
+    }
+  } // namespace
+
+
   std::vector<std::string>
   undecided_notes(const CampaignInfo                     &info,
                   const std::vector<std::vector<Record>> &records_by_scenario)
@@ -128,7 +156,7 @@ namespace Waker
     const std::string all = undecided_text(n_lost, n_not_final, n_all);
     if (all.empty())
       return {};
-    return {all +
+    return {all + why_undecided(records_by_scenario) +
             (where.empty() ? "" : " (" + info.swept_parameter + where + ")") +
             ". Undecided are in no estimate. Bounds of the fragility curves, "
             "of P per year, of risks and budgets hold whatever these would "

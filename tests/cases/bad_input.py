@@ -218,6 +218,19 @@ def values(cases):
               '"0x4"')
     set_value("flooded from the start", "Water/Rise", 0.5, "flooded")
     set_value("too many numbers", "Grid/Upper corner", "42, 6, 1", "3 numbers")
+    # Far from what anything has, wherever numbers are.
+    for path, value in (("Water/Rise", "0: 0, 1e308: 1"),
+                        (f"{CLAY}/Young's modulus", "1e308"),
+                        (f"{CLAY}/Initial strength", "13 + 1e-300*depth"),
+                        ("Time stepping/End time", "1e-300"),
+                        (f"{CLAY}/Strength at top", "1e308"),
+                        (f"{CLAY}/Strength growth", "1e308"),
+                        (f"{CLAY}/Tensile strength", "1e308")):
+        set_value(f"{path} of {value}", path, value, "the number 1e")
+    set_value("softening length", f"{CLAY}/Softening length", "1e300",
+              r"1e\+300 m")
+    set_value("largest rise", "Time stepping/Largest rise", "1e-300",
+              "1e-300 m")
     cases.edit("no layer", without_layers(),
                r" \(default of Soil profile/Layers\)", "no layer")
 
@@ -229,12 +242,12 @@ def sizes(cases):
           ["run", good, *sets("Grid/Upper corner=1070000000, 6")])
     cases.set_value("tiny cells", "Grid/Cell size", "1e-4",
                     r"5\.76e\+10 unknowns")
-    cases.set_value("no time step", "Time stepping/Time step", "1e-300",
+    cases.set_value("no time step", "Time stepping/Time step", "1e-14",
                     "steps")
     check("tiny cells of a field", "^--set Random fields/strength/Cell size$",
           "cells of the field along x",
           ["campaign", random,
-           *sets("Random fields/strength/Cell size=1e-300, 3")])
+           *sets("Random fields/strength/Cell size=1e-14, 3")])
     check("narrow bins", "^--set Histograms/Width bin$", "bins",
           ["campaign", random, *sets("Histograms/Width bin=1e-9")])
     sweep = "Sweep/Parameter=Grid/Cell size"

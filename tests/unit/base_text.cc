@@ -38,6 +38,13 @@ namespace base_text
     TEST(Base, require_positive_names_path_value_and_unit)
     {
       EXPECT_NO_THROW(require_positive("A/B", 1e-300));
+      EXPECT_NO_THROW(require_between("A/B", 2., 1., 2.));
+      EXPECT_USER_ERROR(require_between("A/B", 2.5, 1., 2., "m"),
+                        "A/B",
+                        "is 2.5 m");
+      EXPECT_USER_ERROR(require_between("A/B", std::nan(""), 1., 2.),
+                        "A/B",
+                        "is nan");
       for (const double value : {0., -1., std::nan("")})
         EXPECT_USER_ERROR(require_positive("A/B", value), "A/B", "is ");
       try

@@ -6,12 +6,11 @@
 #include <waker/campaign/random_properties.h>
 #include <waker/program/parameter_reader.h>
 
+#include "level_ground.h"
 #include <cmath>
-#include <fstream>
 #include <gtest/gtest.h>
 #include <memory>
 #include <string>
-#include <unistd.h>
 #include <vector>
 
 /// Level ground for random fields of layers: 2 m of sand on 2 m of clay on 2 m
@@ -25,14 +24,12 @@ namespace LayeredGround
   inline std::unique_ptr<Input>
   ground(const std::vector<std::string> &more)
   {
-    const std::string path =
-      testing::TempDir() + "waker_layers_" + std::to_string(getpid()) + ".prm";
-    std::ofstream(path) << R"(
-subsection Grid
-  set Lower corner = 0, 0
-  set Upper corner = 8, 7
-  set Cell size    = 0.5
-end
+    const std::string text = LevelGround::text_of({8.,
+                                                   7.,
+                                                   {{"top", "sand", 4., 6.},
+                                                    {"middle", "clay", 2., 4.},
+                                                    {"below", "peat", 0., 2.}},
+                                                   R"(
 subsection Materials
   set Names = sand, clay, peat
   subsection sand
@@ -59,36 +56,8 @@ subsection Materials
     set Residual strength = 1
   end
 end
-subsection Soil profile
-  set Layers = top, middle, below
-  subsection top
-    set Material = sand
-    set Polygon  = 0, 4; 8, 4; 8, 6; 0, 6
-  end
-  subsection middle
-    set Material = clay
-    set Polygon  = 0, 2; 8, 2; 8, 4; 0, 4
-  end
-  subsection below
-    set Material = peat
-    set Polygon  = 0, 0; 8, 0; 8, 2; 0, 2
-  end
-end
-subsection Boundary conditions
-  set Names = base, left side, right side
-  subsection base
-    set Region = bottom
-    set Type   = fixed
-  end
-  subsection left side
-    set Region = left
-    set Type   = roller
-  end
-  subsection right side
-    set Region = right
-    set Type   = roller
-  end
-end
+)",
+                                                   R"(
 subsection Pore water
   set Phreatic line       = 0, 4; 8, 4
   set Daily phreatic line = 0, 3.5; 8, 3.5
@@ -101,8 +70,8 @@ subsection Random fields
     set Scales of fluctuation = 8, 1
   end
 end
-)";
-    return std::move(read_scenarios(path, more)[0]);
+)"});
+    return std::move(read_scenarios(LevelGround::written(text), more)[0]);
   }
 
 

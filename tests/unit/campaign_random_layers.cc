@@ -131,6 +131,10 @@ namespace campaign_random_layers
     const Drawn clay({a + "Material=clay",
                       a + "Property=POP",
                       a + "Coefficient of variation=0.1"});
+    // What "all" leaves out is said.
+    EXPECT_EQ(all.properties.description().back(),
+              "Random field \"a\": not of sand, whose law has no POP");
+    EXPECT_EQ(drawn.properties.description().size(), 1u);
     // The normal score of a point, with its layer's own mean and deviation.
     const auto score = [&](const Drawn &d, const std::size_t q) {
       const double mean = d.state.points.material[q] == 1 ? 15. : 20.;

@@ -7,117 +7,17 @@
 #include <waker/program/parameter_reader.h>
 #include <waker/simulation/plausibility.h>
 
+#include "clay_on_peat.h"
+#include "level_ground.h"
 #include "user_errors.h"
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 namespace case_ground
 {
   using namespace Waker;
-
-  namespace
-  {
-    constexpr double gamma_w = 10.; // the default
-
-    /// Level ground: 2 m of clay on 2 m of peat; the water at 3 m.
-    std::unique_ptr<Parameters>
-    ground(const std::vector<std::string> &more)
-    {
-      const std::string path = testing::TempDir() + "waker_ground_" +
-                               std::to_string(getpid()) + ".prm";
-      std::ofstream(path) << R"(
-subsection Grid
-  set Lower corner = 0, 0
-  set Upper corner = 2, 5
-  set Cell size    = 0.5
-end
-subsection Materials
-  set Names = clay, peat
-  subsection clay
-    set Unit weight           = 14
-    set Saturated unit weight = 15
-  end
-  subsection peat
-    set Unit weight        = 11
-    set Residual strength  = initial_strength/2
-  end
-end
-subsection Soil profile
-  set Layers = top, below
-  subsection top
-    set Material = clay
-    set Polygon  = 0, 2; 2, 2; 2, 4; 0, 4
-  end
-  subsection below
-    set Material = peat
-    set Polygon  = 0, 0; 2, 0; 2, 2; 0, 2
-  end
-end
-subsection Boundary conditions
-  set Names = base, left side, right side
-  subsection base
-    set Region = bottom
-    set Type   = fixed
-  end
-  subsection left side
-    set Region = left
-    set Type   = roller
-  end
-  subsection right side
-    set Region = right
-    set Type   = roller
-  end
-end
-subsection Pore water
-  set Phreatic line = 0, 3; 2, 3
-end
-)";
-      return read_parameters(path, more);
-    }
-
-
-    /// sigma'_v (kPa) at the height y, with the water at `line`.
-    double
-    stress(const double y, const double line)
-    {
-      const auto weight = [](const double from, const double to) {
-        return std::max(to - from, 0.);
-      };
-      const double clay_low = std::max(y, 2.);
-      return 14. * weight(std::max(clay_low, line), 4.) +
-             15. * weight(clay_low, std::min(line, 4.)) + 11. * weight(y, 2.) +
-             gamma_w * weight(4., line) - gamma_w * weight(y, line);
-    }
-
-
-    const std::vector<std::string> shansep = {
-      "Materials/peat/Strength from=SHANSEP",
-      "Materials/peat/Strength ratio=0.27",
-      "Materials/peat/Strength exponent=0.9",
-      "Materials/peat/POP=15"};
-
-
-    /// SHANSEP, but for what is said otherwise.
-    std::vector<std::string>
-    with(std::vector<std::string> more)
-    {
-      for (const std::string &usual : shansep)
-        {
-          const std::string name = usual.substr(0, usual.find('=') + 1);
-          if (std::none_of(more.begin(),
-                           more.end(),
-                           [&](const std::string &setting) {
-                             return setting.rfind(name, 0) == 0;
-                           }))
-            more.push_back(usual);
-        }
-      return more;
-    }
-  } // namespace
-
+  using namespace ClayOnPeat;
 
   TEST(Ground,
        vertical_stress_is_the_weight_of_soil_and_water_less_the_pressure)
@@ -251,110 +151,6 @@ end
           {
             EXPECT_NEAR(values[p], 4. + 0.5 * stress(y, 3.), 1e-12);
           }
-      }
-  }
-
-
-  TEST(Ground, soil_below_the_line_may_be_another)
-  {
-    // Clay that lies below the line is as wet clay is.
-    const Case<2>            level(*ground(
-                          {"Materials/Names=clay, peat, wet clay",
-                                      "Materials/clay/Below the line=wet clay",
-                                      "Materials/clay/Initial strength=30",
-                                      "Materials/wet clay/Unit weight=16",
-                                      "Materials/wet clay/Saturated unit weight=18",
-                                      "Materials/wet clay/Strength from=table",
-                                      "Materials/wet clay/Strength table=0: 5, 90: 50",
-                                      "Materials/wet clay/Residual strength=2"}),
-                        MPI_COMM_SELF);
-    const MaterialPoints<2> &points = level.initial_points;
-    const auto              &values =
-      points.scalars[points.find_scalar("undrained shear strength")].values;
-    unsigned int n_wet = 0;
-    for (std::size_t p = 0; p < points.n_points(); ++p)
-      {
-        const double y = points.initial_position[p][1];
-        const double g = 9.81, volume = 0.0625;
-        if (y > 3.)
-          {
-            EXPECT_EQ(points.material[p], 0u);
-            EXPECT_EQ(values[p], 30.);
-            EXPECT_NEAR(points.mass[p], 14. / g * volume, 1e-14);
-          }
-        else if (y > 2.)
-          {
-            ++n_wet;
-            EXPECT_EQ(points.material[p], 2u);
-            const double stress = 14. + 8. * (3. - y);
-            EXPECT_NEAR(values[p], 5. + 0.5 * stress, 1e-12);
-            EXPECT_NEAR(points.mass[p], 18. / g * volume, 1e-14);
-          }
-        else
-          {
-            EXPECT_EQ(points.material[p], 1u);
-            EXPECT_NEAR(level.ground.at({0.75, y}, 1).vertical_stress,
-                        14. + 8. + 1. * (2. - y),
-                        1e-12);
-          }
-      }
-    EXPECT_EQ(n_wet, 32u);
-    // The weight is borne by the base.
-    double weight = 0.;
-    for (const double mass : points.mass)
-      weight += 9.81 * mass;
-    EXPECT_NEAR(weight, 2. * (14. + 18. + 2. * 11.), 1e-10);
-  }
-
-
-  TEST(Ground, what_is_below_the_line_is_another_material)
-  {
-    const std::string path = "--set Materials/clay/Below the line";
-    for (const char *const name : {"sand", "clay", "clay, peat"})
-      EXPECT_USER_ERROR(ground({std::string("Materials/clay/Below the line=") +
-                                name}),
-                        path,
-                        name);
-    EXPECT_USER_ERROR(ground({"Materials/clay/Below the line=peat",
-                              "Materials/peat/Below the line=clay"}),
-                      path,
-                      "peat");
-    EXPECT_USER_ERROR(ground({"Materials/clay/Below the line=peat",
-                              "Inflow/Names=in",
-                              "Inflow/in/Material=clay",
-                              "Inflow/in/Face=left"}),
-                      path,
-                      "flows in");
-  }
-
-
-  // Without water in it, it cannot boil.
-  TEST(Ground, drained_soil_that_stays_above_the_line_needs_no_special_water)
-  {
-    const auto with_water = [](const std::vector<std::string> &more) {
-      std::vector<std::string> all = {"Materials/Names=clay, peat, wet clay",
-                                      "Materials/clay/Model=Mohr-Coulomb",
-                                      "Materials/clay/Below the line=wet clay",
-                                      "Materials/wet clay/Unit weight=16",
-                                      "Water/Side=left",
-                                      "Water/Level=3",
-                                      "Surface/Method=contour"};
-      all.insert(all.end(), more.begin(), more.end());
-      return ground(all);
-    };
-    const std::string soil = "Pore water/Pressure of=soil";
-    EXPECT_NO_THROW(with_water({soil}));
-    EXPECT_NO_THROW(with_water({"Water/Minimum support=0"}));
-    for (const auto &more :
-         {std::vector<std::string>{},
-          std::vector<std::string>{soil, "Pore water/Largest suction=5"},
-          std::vector<std::string>{soil, "Materials/peat/Model=Mohr-Coulomb"}})
-      {
-        std::vector<std::string> settings = more;
-        settings.push_back("Water/Minimum support=0.01");
-        EXPECT_USER_ERROR(with_water(settings),
-                          "--set Water/Minimum support",
-                          "drained");
       }
   }
 

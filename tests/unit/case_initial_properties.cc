@@ -260,6 +260,15 @@ namespace case_initial_properties
       EXPECT_NE(lines[0].find("undrained shear strength, residual strength"),
                 std::string::npos);
       EXPECT_NE(lines[1].find("rock: nothing"), std::string::npos);
+      std::vector<WallParameters> walls(3);
+      walls[0].name     = "slope";
+      walls[0].type     = WallType::frictional;
+      walls[0].adhesion = 2.;
+      walls[1].type     = WallType::frictional; // smooth
+      walls[2].adhesion = 2.;                   // not used
+      ASSERT_EQ(kept_walls(walls).size(), 1u);
+      EXPECT_NE(kept_walls(walls)[0].find("Walls/slope: nothing"),
+                std::string::npos);
       Materials rock;
       rock.push_back(std::make_unique<LinearElastic>(2., 1e4, 0.3));
       EXPECT_USER_ERROR(

@@ -302,6 +302,26 @@ namespace case_initial_stress
   }
 
 
+  TEST(InitialStress, each_load_step_is_told)
+  {
+    unsigned int  n_told = 0;
+    double        share  = 0.;
+    const auto    input  = read(level_ground,
+                            bank_with({"Initial stress/Laws=plastic",
+                                           "Initial stress/Steps=20"}));
+    const Case<2> the_case(*input,
+                           MPI_COMM_SELF,
+                           Materials(),
+                           [&](const BalanceReport &report) {
+                             ++n_told;
+                             EXPECT_GE(report.share, share);
+                             share = report.share;
+                           });
+    EXPECT_GE(n_told, 20u);
+    EXPECT_NEAR(share, 0.95, 1e-12); // before the last one
+  }
+
+
   TEST(InitialStress, soil_that_slides_does_not_come_into_balance)
   {
     auto weak = bank_with({"Initial stress/Laws=plastic",

@@ -303,6 +303,8 @@ end
     EXPECT_TRUE(has(lifted, "more than the soil above weighs")) << lifted;
     EXPECT_TRUE(has(lifted, "the soil is lifted up")) << lifted;
     EXPECT_TRUE(has(lifted, "effective vertical stress -8.75 ")) << lifted;
+    EXPECT_TRUE(has(lifted, "where Head lines/deep makes a pressure of 71.25"))
+      << lifted;
     const std::vector<std::string> two = {
       "Head lines/Names=deep, other",
       "Head lines/other/Line=0, 4; 3, 7",
@@ -323,5 +325,74 @@ end
                     "Materials/sand/Model is linear elastic, but 96 of "
                     "its points lie below the phreatic line"))
       << no_law;
+  }
+
+
+  // By hand: the head is 3 m at the level 2 m, and 7 m at 4 m, which the water
+  // reaches after 10 s. At the points an eighth of a metre below the clay 62.5
+  // kPa of soil lie: from a head of 6.125 m on, 7.8 s, they are lifted up. The
+  // first of 24 moments after that is 8.33 s, at 3.667 m.
+  TEST(HeadLines, uplift_that_comes_with_the_storm_is_told_beforehand)
+  {
+    const std::vector<std::string> storm = {
+      "Water/Side=left",
+      "Water/Level=2",
+      "Water/Rise=0: 0, 10: 2, 20: 2",
+      "Water/Minimum support=0",
+      "Surface/Method=contour",
+      "Time stepping/End time=20",
+      "Head lines/deep/Line=",
+      "Head lines/deep/Lines by level=2: 0, 3; 3, 3 | 4: 0, 7; 3, 7"};
+    const auto with = [&](const std::string &more) {
+      std::vector<std::string> settings = {more};
+      for (const std::string &usual : storm)
+        if (usual.substr(0, usual.find('=')) != more.substr(0, more.find('=')))
+          settings.push_back(usual);
+      return all_warnings(settings);
+    };
+    const std::string said = all_warnings(storm);
+    EXPECT_TRUE(has(said,
+                    "by t = 8.33333 s, at the level 3.66667 m, the water in "
+                    "the ground has come to carry more"))
+      << said;
+    EXPECT_TRUE(has(said, "s, at the level 4 m, ")) << said;
+    EXPECT_TRUE(has(said,
+                    "where Head lines/deep makes a pressure of 71.25 kPa and "
+                    "an effective vertical stress of -8.75 kPa: uplift"))
+      << said;
+    // Less water, water that has no time to get there, or heavier soil.
+    for (const char *const less : {"Water/Rise=0: 0, 10: 1.5, 20: 1.5",
+                                   "Head lines/deep/Delay=1000",
+                                   "Materials/clay/Unit weight=17.3"})
+      EXPECT_FALSE(has(with(less), "uplift")) << less;
+    EXPECT_TRUE(has(with("Materials/clay/Unit weight=17"), "uplift"));
+  }
+
+
+  TEST(HeadLines, what_a_stress_below_0_comes_from_is_named)
+  {
+    const auto refuses = [](std::vector<std::string> settings,
+                            const std::string       &path,
+                            const std::string       &text) {
+      settings.push_back("Head lines/deep/Line=0, 7; 3, 7");
+      const auto parameters = polder(settings);
+      EXPECT_USER_ERROR(Case<2>(*parameters, MPI_COMM_SELF), path, text);
+    };
+    const std::string clay = "Materials/clay/";
+    refuses({clay + "Model=von Mises softening",
+             clay + "Residual strength=0",
+             clay + "Strength from=table",
+             clay + "Strength table=0: 5, 100: 30"},
+            clay + "Strength table",
+            "(uplift: the water there, ");
+    refuses({clay + "Model=von Mises softening",
+             clay + "Residual strength=0",
+             clay + "Strength from=table",
+             clay + "Strength table=0: 5, 100: 30"},
+            clay + "Strength table",
+            " kPa by Pore water/Phreatic line and Head lines/deep");
+    refuses({"Initial stress/From=K0"},
+            "Initial stress/From",
+            "carries more than the soil above weighs)");
   }
 } // namespace loads_head_lines

@@ -9,11 +9,10 @@
 #include <waker/simulation/plausibility.h>
 #include <waker/simulation/realisation.h>
 
+#include "level_ground.h"
 #include "user_errors.h"
 #include <cmath>
-#include <fstream>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 namespace loads_quick_loads
 {
@@ -28,14 +27,12 @@ namespace loads_quick_loads
     std::unique_ptr<Parameters>
     ground(const std::vector<std::string> &more)
     {
-      const std::string path = testing::TempDir() + "waker_quick_loads_" +
-                               std::to_string(getpid()) + ".prm";
-      std::ofstream(path) << R"(
-subsection Grid
-  set Lower corner = 0, 0
-  set Upper corner = 2, 5
-  set Cell size    = 0.5
-end
+      return read_parameters(LevelGround::written(LevelGround::text_of(
+                               {2.,
+                                5.,
+                                {{"road", "sand", 3., 4.},
+                                 {"below", "clay", 0., 3.}},
+                                R"(
 subsection Materials
   set Names = sand, clay
   subsection sand
@@ -50,32 +47,8 @@ subsection Materials
     set Friction angle  = 25
   end
 end
-subsection Soil profile
-  set Layers = road, below
-  subsection road
-    set Material = sand
-    set Polygon  = 0, 3; 2, 3; 2, 4; 0, 4
-  end
-  subsection below
-    set Material = clay
-    set Polygon  = 0, 0; 2, 0; 2, 3; 0, 3
-  end
-end
-subsection Boundary conditions
-  set Names = base, left side, right side
-  subsection base
-    set Region = bottom
-    set Type   = fixed
-  end
-  subsection left side
-    set Region = left
-    set Type   = roller
-  end
-  subsection right side
-    set Region = right
-    set Type   = roller
-  end
-end
+)",
+                                R"(
 subsection Pore water
   set Phreatic line = 0, 3; 2, 3
 end
@@ -90,8 +63,8 @@ subsection Tractions
     set Consolidation = below: 0.1
   end
 end
-)";
-      return read_parameters(path, more);
+)"})),
+                             more);
     }
   } // namespace
 

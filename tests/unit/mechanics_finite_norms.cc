@@ -103,18 +103,16 @@ namespace mechanics_finite_norms
 
   TEST(FiniteNorms, loads_without_end_are_a_numerical_failure)
   {
-    const std::vector<std::string> cases[] = {
-      {"Water/Unit weight=1e300"},
-      {"Point loads/Names=p",
-       "Point loads/p/From=15, 4",
-       "Point loads/p/Force=0, -1e200"}};
-    for (const std::vector<std::string> &settings : cases)
-      {
-        const auto input = dyke(settings);
-        EXPECT_THROW(Case<2>(input->simulation, MPI_COMM_SELF),
-                     NumericalFailure)
-          << settings[0];
-      }
+    // A program may set what the reader refuses.
+    const auto water                    = dyke({});
+    water->simulation.water.unit_weight = 1e300;
+    EXPECT_THROW(Case<2>(water->simulation, MPI_COMM_SELF), NumericalFailure);
+    const auto load = dyke({"Point loads/Names=p",
+                            "Point loads/p/From=15, 4",
+                            "Point loads/p/Force=0, -1"});
+    EXPECT_NO_THROW(Case<2>(load->simulation, MPI_COMM_SELF));
+    load->simulation.point_loads[0].force = {0., -1e200};
+    EXPECT_THROW(Case<2>(load->simulation, MPI_COMM_SELF), NumericalFailure);
   }
 
 

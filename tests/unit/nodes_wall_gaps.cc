@@ -343,7 +343,9 @@ namespace nodes_wall_gaps
                           "is ");
         EXPECT_USER_ERROR(check(0., 0., bad), "Walls/base/Adhesion", "is ");
       }
-    EXPECT_USER_ERROR(check(0., 90., 0.), "Walls/base/Friction angle", "is 90");
+    EXPECT_USER_ERROR(check(0., 89.9, 0.),
+                      "Walls/base/Friction angle",
+                      "is 89.9");
     EXPECT_USER_ERROR(check(0.5, 30., 0.),
                       "Walls/base/Friction angle",
                       "but Friction coefficient is 0.5");

@@ -79,8 +79,8 @@ namespace program_friction
                       t   = clay + "Tensile strength",
                       e   = clay + "Softening strain";
     expect_error(sand({c + "=-1"}), c, "-1 kPa", "at least 0");
-    expect_error(sand({phi + "=90"}), phi, "90 degrees", "below 90");
-    expect_error(sand({phi + "=-1"}), phi, "-1 degrees", "at least 0");
+    expect_error(sand({phi + "=89.1"}), phi, "89.1 degrees", "0 to 89");
+    expect_error(sand({phi + "=-1"}), phi, "-1 degrees", "from 0 to 89");
     expect_error(sand({c + "=0", phi + "=0"}), c, "no strength", "above 0");
     expect_error(sand({psi + "=31"}),
                  psi,

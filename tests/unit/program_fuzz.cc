@@ -121,6 +121,8 @@ end
               "1e400",
               "1e-320",
               "-1e-320",
+              "1e308",
+              "1e-300",
               "0",
               "-1",
               "0,25",
@@ -143,7 +145,7 @@ end
 
     /// Those that are good nowhere but in names and texts.
     const std::set<std::string> never_good =
-      {"0,25", "1e400", "nan", "inf", "0x10", "rand()"};
+      {"0,25", "1e400", "1e308", "1e-300", "nan", "inf", "0x10", "rand()"};
 
     /// All parameters that are these, and a list of whole numbers, in which
     /// 0,25 are two.
@@ -254,7 +256,7 @@ end
                 parameter.pattern.find("[Double") == 0 ||
                 parameter.pattern.find("[Integer") == 0;
               const bool is_none =
-                value.empty() || value == "1e400" ||
+                value.empty() || value == "1e400" || value == "1e308" ||
                 value.find_first_not_of("-0123456789e") != std::string::npos;
               const bool is_never = never_good.count(value) > 0;
               const bool is_text  = texts.count(parameter.path()) > 0;

@@ -91,6 +91,7 @@ namespace program_nonlocal
     expect_error(nonlocal({length + "=0.5", "Grid/Cell size=1.5"}),
                  length,
                  "0.75 m");
+    expect_error(nonlocal({length + "=1e5"}), length, "longer than the grid");
     for (const char *const value : {"-1", "1e+308", "nan", "inf"})
       {
         expect_error(nonlocal({length + "=" + value}), length, value);
@@ -119,7 +120,8 @@ namespace program_nonlocal
   {
     expect_warning(nonlocal({length + "=0.2"}),
                    "only 1.6 times the distance between points");
-    expect_warning(nonlocal({length + "=20"}), "points each");
+    expect_warning(nonlocal({length + "=20"}),
+                   "18432 points each, 100 % of what the grid");
     expect_warning(nonlocal({length + "=0.5", clay + "Over-weight=1"}),
                    "Over-weight is 1");
     expect_warning(nonlocal({length + "=0.5", clay + "Softening modulus=-500"}),

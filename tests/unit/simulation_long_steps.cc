@@ -6,6 +6,7 @@
 #include <waker/simulation/run_to_end.h>
 
 #include "campaign_random_dyke.h"
+#include "long_steps.h"
 #include "user_errors.h"
 #include <algorithm>
 #include <cmath>
@@ -18,6 +19,7 @@ namespace simulation_long_steps
 
   using namespace Waker;
   using namespace RandomDyke;
+  using namespace LongStepsOfADyke;
 
   namespace
   {
@@ -63,48 +65,13 @@ namespace simulation_long_steps
     };
 
 
-    /// The same with what is in `more` instead.
-    std::vector<std::string>
-    with(std::vector<std::string> given, const std::vector<std::string> &more)
-    {
-      for (const std::string &setting : more)
-        {
-          const std::string name = setting.substr(0, setting.find('=') + 1);
-          given.erase(std::remove_if(given.begin(),
-                                     given.end(),
-                                     [&](const std::string &old) {
-                                       return old.rfind(name, 0) == 0;
-                                     }),
-                      given.end());
-          given.push_back(setting);
-        }
-      return given;
-    }
-
-
-    /// The coarse dyke, elastic but for its strength (kPa), in water that is at
-    /// 2 m at first.
-    std::vector<std::string>
-    settings(const double strength, const std::string &rise, const double end)
-    {
-      return {"Time stepping/Scheme=quasi-static at rest",
-              "Time stepping/End time=" + std::to_string(end),
-              "Newton/Tolerance=1e-6",
-              "Soil profile/dyke/Polygon=0, 0; 30, 0; 18, 5; 12, 5",
-              "Materials/clay/Initial strength=" + std::to_string(strength),
-              "Materials/clay/Residual strength=" + std::to_string(strength),
-              "Materials/clay/Softening modulus=0",
-              "Water/Level=2",
-              "Water/Rise=" + rise};
-    }
-
-
     struct Result
     {
       State<2>   state;
       StopReason reason;
       double     final_level;
     };
+
 
     Result
     run(const std::vector<std::string> &given,
@@ -360,61 +327,5 @@ namespace simulation_long_steps
         EXPECT_EQ(initial_state(the_case).long_steps.active,
                   std::string(velocity) == "0; 0");
       }
-  }
-
-
-  TEST(LongSteps, and_what_does_not_go_with_them)
-  {
-    const auto refuses = [](const std::vector<std::string> &more,
-                            const std::string              &path,
-                            const std::string              &text) {
-      const auto given = with(settings(13., "0: 0, 3600: 2", 7200.), more);
-      EXPECT_USER_ERROR(coarse(given), "--set " + path, text);
-    };
-    const std::string section = "Time stepping/";
-    refuses({section + "Longest step=0.005"},
-            section + "Longest step",
-            "0.005 s, shorter than Time step, 0.01 s");
-    for (const std::string name :
-         {"Longest step", "Largest rise", "Largest displacement"})
-      for (const std::string scheme : {"quasi-static at rest", "Newmark"})
-        for (const std::string value : {"0", "1e308"})
-          refuses({section + "Scheme=" + scheme, section + name + "=" + value},
-                  section + name,
-                  "is " + (value == "0" ? value : "1e+308"));
-    refuses({"Outflow/Faces=right"}, "Outflow/Faces", "no balance of momentum");
-    refuses({"Materials/clay/Softening modulus=-20",
-             "Materials/clay/Residual strength=5",
-             "Materials/clay/Regularisation=nonlocal",
-             "Materials/clay/Averaging length=2"},
-            "Materials/clay/Regularisation",
-            "softens soil after a step");
-    refuses({"Water/Rise=0: 0, 5: 1, 4: 2"},
-            "Water/Rise",
-            "does not come after");
-  }
-
-
-  TEST(LongSteps, and_what_is_strange)
-  {
-    const auto warnings = [](const std::vector<std::string> &more,
-                             const std::string              &text) {
-      const auto given = with(settings(13., "0: 0, 3600: 2", 7200.), more);
-      const auto input = coarse(given);
-      for (const std::string &warning : strange_parameters(input->simulation))
-        if (warning.find(text) != std::string::npos)
-          return true;
-      return false;
-    };
-    EXPECT_FALSE(warnings({}, "Time stepping"));
-    EXPECT_TRUE(warnings({"Time stepping/End time=3000"},
-                         "3000 s, before the peak of Water/Rise, 2 m at 3600"));
-    EXPECT_TRUE(warnings({"Time stepping/Scheme=Newmark"},
-                         "quasi-static at rest takes long ones"));
-    EXPECT_TRUE(warnings({"Time stepping/Scheme=Newmark",
-                          "Time stepping/Largest rise=0.1"},
-                         "Largest rise is not used with Scheme = Newmark"));
-    EXPECT_TRUE(warnings({"Time stepping/Move points=false"},
-                         "Move points is not used with"));
   }
 } // namespace simulation_long_steps

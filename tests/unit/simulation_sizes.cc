@@ -59,16 +59,16 @@ namespace simulation_sizes
   TEST(Sizes, of_fields_are_refused)
   {
     const std::string coarser = "Grid/Cell size=0.5";
-    expect_refusal({field + "Cell size=1e-300, 3", coarser},
+    expect_refusal({field + "Cell size=1e-14, 3", coarser},
                    "Random fields/strength/Cell size",
-                   "e+301 cells of the field along x");
+                   "e+15 cells of the field along x");
     expect_refusal({field + "Cell size=1e-6, 1e-6", coarser},
                    "Random fields/strength/Cell size",
                    "cells of the field (");
-    expect_refusal({field + "Scales of fluctuation=1e-300, 1", coarser},
+    expect_refusal({field + "Scales of fluctuation=1e-14, 1", coarser},
                    "Random fields/strength/Scales of fluctuation",
-                   "contains 1e-300 m");
-    expect_refusal({field + "Scales of fluctuation=24, 1e-200", coarser},
+                   "contains 1e-14 m");
+    expect_refusal({field + "Scales of fluctuation=24, 1e-14", coarser},
                    "Random fields/strength/Scales of fluctuation",
                    "m long along y");
   }
@@ -98,9 +98,9 @@ namespace simulation_sizes
     expect_refusal({"Time stepping/Time step=1e-12", coarser},
                    "Time stepping/Time step",
                    "4e+13 steps");
-    expect_refusal({"Time stepping/End time=1e300", coarser},
+    expect_refusal({"Time stepping/End time=1e14", coarser},
                    "Time stepping/Time step",
-                   "1e+302 steps");
+                   "1e+16 steps");
     expect_refusal({"Time stepping/Scheme=explicit",
                     "Time stepping/End time=1e12",
                     coarser},
@@ -116,7 +116,7 @@ namespace simulation_sizes
                    "steps between the two factors");
     expect_refusal({"Walls/Names=w", "Walls/w/Line=0, 1; 1e12, 1", coarser},
                    "Walls/w/Line",
-                   "2e+12 spots on a wall");
+                   "8e+12 spots on a wall");
     expect_refusal({"Point loads/Names=p",
                     "Point loads/p/From=155000, 5",
                     "Point loads/p/Force=0, -1",
@@ -225,8 +225,8 @@ namespace simulation_sizes
     EXPECT_EQ(warnings({rate, q + "Start time=40"}),
               q + "Start time is 40 s, not before 40 s, Time stepping/End "
                   "time: it never acts\n");
-    EXPECT_EQ(warnings({q + "Rate=-1e-300"}),
-              q + "Rate is -1e-300 m/s: it changes by 4e-299 m by 40 s, Time "
+    EXPECT_EQ(warnings({q + "Rate=-1e-14"}),
+              q + "Rate is -1e-14 m/s: it changes by 4e-13 m by 40 s, Time "
                   "stepping/End time\n");
 
     const std::vector<std::string> limits     = {rate,

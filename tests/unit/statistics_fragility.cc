@@ -282,9 +282,11 @@ namespace statistics_fragility
 
     const auto said = undecided_notes(info, records);
     ASSERT_EQ(said.size(), 1U);
-    EXPECT_EQ(said[0].find("45 of 90 undecided (Water/Level = 4: 15 of 30 "
-                           "undecided; 4.5: 30 of 30 undecided)."),
-              0U)
+    EXPECT_EQ(
+      said[0].find(
+        "45 of 90 undecided: 45 still moving (Water/Level = 4: 15 of 30 "
+        "undecided; 4.5: 30 of 30 undecided)."),
+      0U)
       << said[0];
     records.resize(1);
     info.scenarios.resize(1);

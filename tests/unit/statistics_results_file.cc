@@ -6,6 +6,7 @@
 
 #include "output_temporary_folder.h"
 #include "processes.h"
+#include "results_store.h"
 #include "store_records.h"
 #include "user_errors.h"
 #include <algorithm>
@@ -21,107 +22,11 @@
 
 namespace Waker::statistics_results_file
 {
+  using namespace Waker;
+  using namespace ResultsStore;
+
   namespace
   {
-    /// A store opened with the C library.
-    class OpenStore
-    {
-    public:
-      explicit OpenStore(const std::string &path)
-        : file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT))
-      {}
-
-      ~OpenStore()
-      {
-        H5Fclose(file);
-      }
-
-      std::vector<hsize_t>
-      sizes(const std::string &name) const
-      {
-        int rank = 0;
-        H5LTget_dataset_ndims(file, name.c_str(), &rank);
-        std::vector<hsize_t> sizes(rank);
-        H5LTget_dataset_info(
-          file, name.c_str(), sizes.data(), nullptr, nullptr);
-        return sizes;
-      }
-
-      /// Any numbers.
-      std::vector<double>
-      values(const std::string &name) const
-      {
-        std::size_t n = 1;
-        for (const hsize_t size : sizes(name))
-          n *= size;
-        std::vector<double> values(n);
-        EXPECT_GE(H5LTread_dataset_double(file, name.c_str(), values.data()),
-                  0);
-        return values;
-      }
-
-      std::uint64_t
-      count(const std::string &attribute) const
-      {
-        std::uint64_t value = 0;
-        EXPECT_GE(H5LTget_attribute(
-                    file, "/", attribute.c_str(), H5T_NATIVE_UINT64, &value),
-                  0);
-        return value;
-      }
-
-      std::string
-      text(const std::string &attribute) const
-      {
-        const hid_t id     = H5Aopen(file, attribute.c_str(), H5P_DEFAULT);
-        const hid_t type   = H5Aget_type(id);
-        char       *buffer = nullptr;
-        EXPECT_GE(H5Aread(id, type, &buffer), 0);
-        const std::string value = buffer == nullptr ? "" : buffer;
-        H5free_memory(buffer);
-        H5Tclose(type);
-        H5Aclose(id);
-        return value;
-      }
-
-    private:
-      const hid_t file;
-    };
-
-
-    /// Scenario 0 has 0, 1, 2, 5; scenario 1 has 1 and 7.
-    std::vector<Record>
-    six_records()
-    {
-      return {synthetic_record(0, 0),
-              synthetic_record(0, 1),
-              synthetic_record(0, 2),
-              synthetic_record(0, 5),
-              synthetic_record(1, 1),
-              synthetic_record(1, 7)};
-    }
-
-    const std::vector<double> realisations = {0., 1., 2., 5., 7.};
-
-
-    void
-    write(const std::string &path, const std::vector<Record> &records)
-    {
-      JournalCounts counts;
-      counts.n_truncated   = 3;
-      counts.n_damaged     = 4;
-      counts.n_foreign     = 5;
-      counts.n_repeated    = 6;
-      counts.n_conflicting = 7;
-      MachineUse use;
-      use.machine.host   = "node7";
-      use.n_realisations = 6;
-      counts.machines    = {use};
-      write_store(
-        path, synthetic_campaign(), records, SlideParameters(), counts, 8);
-    }
-
-
     /// NaN for -1.
     double
     event(const double time)
@@ -295,122 +200,5 @@ namespace Waker::statistics_results_file
         EXPECT_EQ(store.values("n_masses_side")[at], -1.);
         EXPECT_TRUE(std::isnan(store.values("relative_failure_volume")[at]));
       }
-  }
-
-
-  TEST(Statistics, store_says_what_is_missing)
-  {
-    const TemporaryFolder folder;
-    write(folder.file("results.h5"), six_records());
-    const OpenStore store(folder.file("results.h5"));
-    EXPECT_EQ(store.count("schema_version"), 1u);
-    EXPECT_EQ(store.count("seed"), 18446744073709551557u);
-    EXPECT_EQ(store.count("realisations_planned"), 8u);
-    EXPECT_EQ(store.count("n_truncated_lines"), 3u);
-    EXPECT_EQ(store.count("n_damaged_lines"), 4u);
-    EXPECT_EQ(store.count("n_foreign_lines"), 5u);
-    EXPECT_EQ(store.count("n_repeated_lines"), 6u);
-    EXPECT_EQ(store.count("n_conflicting_lines"), 7u);
-    EXPECT_EQ(store.count("n_surplus"), 8u);
-    EXPECT_NE(store.text("machines").find("\"host\":\"node7\""),
-              std::string::npos);
-  }
-
-
-  TEST(Statistics, store_does_not_depend_on_the_order_of_records)
-  {
-    const TemporaryFolder folder;
-    std::vector<Record>   records = six_records();
-    write(folder.file("a"), records);
-    std::reverse(records.begin(), records.end());
-    std::swap(records[1], records[3]);
-    write(folder.file("b"), records);
-    const std::string a = get(folder.file("a"));
-    EXPECT_GT(a.size(), 1000u);
-    EXPECT_TRUE(a == get(folder.file("b"))); // byte by byte
-
-    records[2].residual_height += 1e-15;
-    write(folder.file("c"), records);
-    EXPECT_FALSE(a == get(folder.file("c")));
-  }
-
-
-  TEST(Statistics, store_of_nothing_is_empty)
-  {
-    const TemporaryFolder folder;
-    write(folder.file("results.h5"), {});
-    const OpenStore store(folder.file("results.h5"));
-    EXPECT_EQ(store.sizes("outcome"), (std::vector<hsize_t>{2, 0}));
-    EXPECT_EQ(store.sizes("slide_start"), (std::vector<hsize_t>{2, 0, 1}));
-  }
-
-
-  TEST(Statistics, store_is_written_whole_or_not_at_all)
-  {
-    const TemporaryFolder folder;
-    const std::string     path = folder.file("results.h5");
-    put(path, "the one before");
-    // A limit on the size of files stands for a full disk. In a process of its
-    // own: whatever is thrown, no other test meets the limit.
-    const int result = exit_code(in_another_process([&]() {
-      std::signal(SIGXFSZ, SIG_IGN);
-      const rlimit tight{1000, 1000};
-      if (::setrlimit(RLIMIT_FSIZE, &tight) != 0)
-        return 1;
-      try
-        {
-          write(path, six_records());
-          return 2; // 1000 bytes do not hold it
-        }
-      catch (const FileError &error)
-        {
-          const std::string text = error.what();
-          return text.find(path) == std::string::npos               ? 3
-                 : text.find("File too large") == std::string::npos ? 4
-                                                                    : 0;
-        }
-    }));
-    EXPECT_EQ(result, 0);
-    EXPECT_EQ(get(path), "the one before");
-    EXPECT_FALSE(std::filesystem::exists(path + ".tmp"));
-
-    const std::string nowhere = folder.file("none/results.h5");
-    EXPECT_USER_ERROR(write(nowhere, six_records()),
-                      "Output/Directory",
-                      "cannot write '" + nowhere);
-    expect_user_error([&]() { write(path, {synthetic_record(2, 0)}); },
-                      path,
-                      "a record of scenario 2");
-    EXPECT_THROW(write(path, {synthetic_record(0, 0), synthetic_record(0, 0)}),
-                 std::logic_error);
-    EXPECT_EQ(get(path), "the one before");
-  }
-
-
-  TEST(Statistics, store_takes_parameters_of_any_length)
-  {
-    // Attributes of fixed length end at 64 KB.
-    const TemporaryFolder folder;
-    CampaignInfo          info = synthetic_campaign();
-    info.parameters            = std::string(200000, 'x');
-    write_store(folder.file("results.h5"),
-                info,
-                six_records(),
-                SlideParameters(),
-                JournalCounts());
-    EXPECT_NE(get(folder.file("results.h5")).find(info.parameters),
-              std::string::npos);
-  }
-
-
-  // store_opens.py reads it with other programs.
-  TEST(Statistics, store_for_other_programs)
-  {
-    const char *const     wanted = std::getenv("WAKER_TEST_STORE");
-    const TemporaryFolder folder;
-    const std::string     path =
-      wanted != nullptr ? wanted : folder.file("results.h5");
-    write(path, six_records());
-    EXPECT_EQ(get(path).substr(1, 3), "HDF");
   }
 } // namespace Waker::statistics_results_file

@@ -6,13 +6,12 @@
 #include <waker/case/case.h>
 #include <waker/program/parameter_reader.h>
 
+#include "level_ground.h"
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <gtest/gtest.h>
 #include <memory>
 #include <string>
-#include <unistd.h>
 #include <vector>
 
 /// Ground at rest, for the tests of its stress at the start.
@@ -21,12 +20,11 @@ namespace StressInGround
   using namespace Waker;
 
   /// 2 m of sand on 2 m of clay, 4 m wide, level, water at `line`; rollers.
-  inline const std::string level_ground = R"(
-subsection Grid
-  set Lower corner = 0, 0
-  set Upper corner = 4, 5
-  set Cell size    = 0.5
-end
+  inline const std::string level_ground =
+    LevelGround::text_of({4.,
+                          5.,
+                          {{"top", "sand", 2., 4.}, {"below", "clay", 0., 2.}},
+                          R"(
 subsection Materials
   set Names = sand, clay
   subsection sand
@@ -48,32 +46,8 @@ subsection Materials
     set K0                = 0.7 + 0.01*y
   end
 end
-subsection Soil profile
-  set Layers = top, below
-  subsection top
-    set Material = sand
-    set Polygon  = 0, 2; 4, 2; 4, 4; 0, 4
-  end
-  subsection below
-    set Material = clay
-    set Polygon  = 0, 0; 4, 0; 4, 2; 0, 2
-  end
-end
-subsection Boundary conditions
-  set Names = base, left side, right side
-  subsection base
-    set Region = bottom
-    set Type   = fixed
-  end
-  subsection left side
-    set Region = left
-    set Type   = roller
-  end
-  subsection right side
-    set Region = right
-    set Type   = roller
-  end
-end
+)",
+                          R"(
 subsection Pore water
   set Phreatic line = 0, 3; 4, 3
 end
@@ -83,15 +57,12 @@ end
 subsection Initial stress
   set From = K0
 end
-)";
+)"});
 
   inline std::unique_ptr<Parameters>
   read(const std::string &text, const std::vector<std::string> &more = {})
   {
-    const std::string path =
-      testing::TempDir() + "waker_stress_" + std::to_string(getpid()) + ".prm";
-    std::ofstream(path) << text;
-    return read_parameters(path, more);
+    return read_parameters(LevelGround::written(text), more);
   }
 
   /// The function must throw a UserError that says both: where, with or without

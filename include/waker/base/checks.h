@@ -18,6 +18,19 @@ namespace Waker
   require_positive(const std::string &path,
                    const double       value,
                    const std::string &unit = "");
+
+  /**
+   * For parameters of which much less or much more is a slip, and beyond what
+   * can be computed with.
+   *
+   * @throws UserError unless least <= value <= most
+   */
+  void
+  require_between(const std::string &path,
+                  const double       value,
+                  const double       least,
+                  const double       most,
+                  const std::string &unit = "");
 } // namespace Waker
 
 #endif

@@ -63,7 +63,8 @@ namespace Waker
       return unit_of_first;
     }
 
-    /// Lines for the log: fields, cells per scale of fluctuation.
+    /// Lines for the log: fields, cells per scale of fluctuation; of a field
+    /// for all materials those that have no such property.
     std::vector<std::string>
     description() const;
 
@@ -127,6 +128,7 @@ namespace Waker
     const Case<dim>              *the_case;
     std::unique_ptr<RandomFields> fields;   // none: deterministic
     std::vector<std::string>      names;    // of the fields
+    std::vector<std::string>      left_out; // lines, see description()
     std::vector<double> average_deviations; // of scores; 0: no average
     std::vector<FieldTarget<dim>>           targets;
     std::vector<Residual>                   residuals;

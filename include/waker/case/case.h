@@ -51,11 +51,13 @@ namespace Waker
     /**
      * @param materials instead of those of the parameters, by number, for
      *        programs that bring their own; empty: made from the parameters
+     * @param watcher of Initial stress/Laws = plastic, while it is computed
      * @throws UserError for whatever is wrong with the input
      */
-    Case(const Parameters &parameters,
-         const MPI_Comm    communicator,
-         Materials         materials = {});
+    Case(const Parameters     &parameters,
+         const MPI_Comm        communicator,
+         Materials             materials = {},
+         const BalanceWatcher &watcher   = {});
 
     const Parameters          parameters;
     const BackgroundGrid<dim> grid;
@@ -102,16 +104,16 @@ namespace Waker
     checked_measuring_level(Scene<dim> &scene) const;
 
     void
-    set_initial_state();
+    set_initial_state(const BalanceWatcher &watcher);
 
     /// The stress of the points, in balance with the scene's external force:
     /// source/case/initial_stress.cc.
     void
-    set_stress(Scene<dim> &scene);
+    set_stress(Scene<dim> &scene, const BalanceWatcher &watcher);
 
     /// The stress of the daily stage, for the laws at t = 0.
     void
-    carry_daily_stress();
+    carry_daily_stress(const BalanceWatcher &watcher);
   };
 
 

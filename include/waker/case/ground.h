@@ -49,6 +49,21 @@ namespace Waker
        const unsigned int layer,
        const WeightRatio &weight_ratio = {}) const;
 
+    /// sigma'_v (kPa) at a place under other heads of the water in the ground;
+    /// the soil weighs what it does at t = 0. NaN in a layer that there is not.
+    double
+    vertical_stress_under(const Heads       &heads,
+                          const Point<dim>  &x,
+                          const unsigned int layer) const;
+
+    /// Why a vertical stress, at() a place, is no number or below 0: " (uplift:
+    /// the water there, 40 kPa by Head lines/deep, carries more than the soil
+    /// above weighs)". "" if it is neither.
+    std::string
+    why_uplifted(const Point<dim>  &x,
+                 const unsigned int layer,
+                 const InGround    &place) const;
+
     /// The points' scalar "pore pressure of loads" (kPa), of quick loads; made
     /// if there are any.
     /// @param layers number of each point's layer
@@ -96,7 +111,23 @@ namespace Waker
 
     using Column = std::vector<typename SoilDepths<dim>::InLayer>;
 
+    /// The water at a place, and over it.
+    struct WaterAt
+    {
+      double line;     // m, of its surface; -infinity: there is none
+      double pressure; // kPa
+    };
+
     /// sigma'_v (kPa) at x under what of its column lies over it.
+    /// @param line below which the soil is wet (m); -infinity: nowhere
+    double
+    vertical_stress(const Column      &column,
+                    const Point<dim>  &x,
+                    const double       line,
+                    const WaterAt     &water,
+                    const WeightRatio &weight_ratio) const;
+
+    /// The same at t = 0, or on usual days.
     double
     vertical_stress(const Column         &column,
                     const Point<dim>     &x,
@@ -115,6 +146,8 @@ namespace Waker
     double                   water_weight; // kN/m^3
     bool                     has_gravity;
     bool                     stress_is_known;
+    PoreWaterParameters      lines;                // for their names
+    std::string              names_of_quick_loads; // with commas
   };
 } // namespace Waker
 

@@ -39,6 +39,10 @@ namespace Waker
     /// @throws UserError "Grid/..."
     void
     check(const unsigned int dim) const;
+
+    /// Of the box (m).
+    double
+    longest_side() const;
   };
 
   /// Section "Strength reduction".

@@ -79,6 +79,12 @@ namespace Waker
     FollowingLine
     following() const;
 
+    /// What decides on the head at a place (m): "Head lines/deep"; "Pore
+    /// water/Phreatic line"; of two between which it is interpolated both,
+    /// with "and".
+    std::string
+    name_of_line_at(const double x, const double y) const;
+
     /// The same with the daily lines as the lines.
     PoreWaterParameters
     of_the_daily_water() const;
@@ -166,6 +172,14 @@ namespace Waker
     void
     record(MaterialPoints<dim> &points, const PoreWaterRecord &outside) const;
 
+    /// Of a moment.
+    Heads
+    heads(const PoreWaterRecord &outside) const;
+
+    /// u at a place (kPa) under such heads.
+    double
+    pressure(const Heads &heads, const Point<dim> &x) const;
+
     /// The same when the water outside has always stood at `level` (m).
     void
     record(MaterialPoints<dim> &points, const double level = nan) const
@@ -180,12 +194,6 @@ namespace Waker
                      NodalVector               &force) const;
 
   private:
-    Heads
-    heads(const PoreWaterRecord &outside) const;
-
-    double
-    pressure(const Heads &heads, const Point<dim> &x) const;
-
     /// A reference line, and the numbers of its head lines among `lines`.
     struct Reference
     {

@@ -60,8 +60,11 @@ namespace Waker
 
     /// If it is nonlocal.
     /// @param spacing of the points at the start (m)
+    /// @param longest side of the grid (m)
     void
-    check_used(const std::string &path, const double spacing) const;
+    check_used(const std::string &path,
+               const double       spacing,
+               const double       longest) const;
   };
 
 

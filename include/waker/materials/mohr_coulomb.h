@@ -183,6 +183,10 @@ namespace Waker
   };
 
 
+  /// Degrees. Beyond it tangents (57) are no friction of soil.
+  constexpr double largest_friction_angle = 89.;
+
+
   /// What the user says of it: in "Materials/<name>".
   struct MohrCoulombParameters
   {

@@ -7,6 +7,8 @@
 #include <waker/nodes/nodal_state.h>
 #include <waker/nodes/resistance.h>
 
+#include <functional>
+
 namespace Waker
 {
   /// How a stress has been brought into balance with the laws of the soil.
@@ -19,6 +21,9 @@ namespace Waker
     double       residual   = 0.; // relative, of the last attempt
     double       yielding   = 0.; // share of the volume that has yielded
   };
+
+  /// Is told of each load step, converged or not.
+  using BalanceWatcher = std::function<void(const BalanceReport &)>;
 
   /// The force that no stress carries and no fixity holds, over the loads there
   /// (-): 1 for a body without stress.
@@ -39,6 +44,7 @@ namespace Waker
    *        of the stress that is there
    * @param n_steps at least 1
    * @param full_node_mass, mapping, resistances as of gravity_step()
+   * @param watcher may be empty
    */
   template <int dim>
   BalanceReport
@@ -50,7 +56,8 @@ namespace Waker
                const MappingParameters &mapping,
                NodalState              &nodes,
                MaterialPoints<dim>     &points,
-               const Resistances<dim>  &resistances = {});
+               const Resistances<dim>  &resistances = {},
+               const BalanceWatcher    &watcher     = {});
 } // namespace Waker
 
 #endif

@@ -40,6 +40,16 @@ namespace Waker
                   const double       size,
                   const std::string &path);
 
+  /// Largest length of a piece (m), of which a cell has four along its side,
+  /// wherever a wall is cut.
+  template <int dim>
+  double
+  size_of_wall_spots(const BackgroundGrid<dim> &grid)
+  {
+    return 0.25 * grid.cell_size();
+  }
+
+
   /// Faces of the grid's box that walls close.
   template <int dim>
   struct WallFaces

@@ -43,10 +43,12 @@ namespace Waker
   public:
     /// Makes the first case.
     /// @param n attempts in all, at least 1
+    /// @param watcher of the initial stress of each; may be empty
     /// @throws UserError, NumericalFailure (of the gravity step)
     Attempts(const Parameters  &parameters,
              const unsigned int n,
-             const MPI_Comm     communicator);
+             const MPI_Comm     communicator,
+             BalanceWatcher     watcher = {});
 
     unsigned int
     size() const
@@ -82,6 +84,7 @@ namespace Waker
     Parameters                                    parameters;
     unsigned int                                  n;
     MPI_Comm                                      communicator;
+    BalanceWatcher                                watcher;
     std::vector<std::unique_ptr<const Case<dim>>> cases;
   };
 } // namespace Waker

@@ -18,6 +18,12 @@ namespace Waker
   void
   describe_case(const Case<dim> &the_case, Log &log);
 
+  /// Says how far a plastic initial stress is: "load step 12 of 100000". To be
+  /// ended with Log::end_progress().
+  /// @param log is kept by reference
+  BalanceWatcher
+  initial_stress_progress(const InitialStressParameters &parameters, Log &log);
+
   /// "W 18.75 -> 11.02 m, H 5.00 -> 4.81 m", without W where it is not
   /// measured.
   std::string

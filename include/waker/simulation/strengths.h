@@ -4,6 +4,7 @@
 
 #include <waker/materials/factory.h>
 #include <waker/mechanics/stress_update.h>
+#include <waker/nodes/wall_parameters.h>
 
 #include <string>
 #include <vector>
@@ -23,6 +24,11 @@ namespace Waker
   std::vector<std::string>
   described_strengths(const Materials                       &materials,
                       const std::vector<MaterialParameters> &parameters);
+
+  /// Lines for the log: walls with friction or adhesion, which no factor
+  /// divides, for they are properties of the wall.
+  std::vector<std::string>
+  kept_walls(const std::vector<WallParameters> &walls);
 } // namespace Waker
 
 #endif

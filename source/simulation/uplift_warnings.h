@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_source_simulation_uplift_warnings_h
+#define waker_source_simulation_uplift_warnings_h
+
+#include <waker/case/case.h>
+
+#include <string>
+#include <vector>
+
+namespace Waker
+{
+  /// Water in the ground that comes to carry more than the soil above weighs,
+  /// as it follows the water outside: when, at which level, where, and by which
+  /// line.
+  template <int dim>
+  void
+  warn_of_uplift_in_storm(const Case<dim>          &the_case,
+                          std::vector<std::string> &warnings);
+} // namespace Waker
+
+#endif

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_tests_level_ground_h
+#define waker_tests_level_ground_h
+
+#include <fstream>
+#include <gtest/gtest.h>
+#include <sstream>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+/// Level ground of layers on a firm base, between rollers, in cells of half a
+/// metre: the text of a parameter file.
+namespace LevelGround
+{
+  struct Layer
+  {
+    std::string name, material;
+    double      bottom, top; // m
+  };
+
+  /// The grid begins at (0, 0).
+  struct Ground
+  {
+    double             width = 2., height = 5.; // of the grid, m
+    std::vector<Layer> layers;
+    std::string        materials; // section Materials
+    std::string        more;      // sections after these
+  };
+
+  inline std::string
+  text_of(const Ground &ground)
+  {
+    std::ostringstream text;
+    text << "subsection Grid\n  set Lower corner = 0, 0\n  set Upper corner = "
+         << ground.width << ", " << ground.height
+         << "\n  set Cell size    = 0.5\nend\n"
+         << ground.materials << "subsection Soil profile\n  set Layers = ";
+    for (std::size_t l = 0; l < ground.layers.size(); ++l)
+      text << (l > 0 ? ", " : "") << ground.layers[l].name;
+    for (const Layer &layer : ground.layers)
+      text << "\n  subsection " << layer.name
+           << "\n    set Material = " << layer.material
+           << "\n    set Polygon  = 0, " << layer.bottom << "; " << ground.width
+           << ", " << layer.bottom << "; " << ground.width << ", " << layer.top
+           << "; 0, " << layer.top << "\n  end";
+    text << R"(
+end
+subsection Boundary conditions
+  set Names = base, left side, right side
+  subsection base
+    set Region = bottom
+    set Type   = fixed
+  end
+  subsection left side
+    set Region = left
+    set Type   = roller
+  end
+  subsection right side
+    set Region = right
+    set Type   = roller
+  end
+end
+)" << ground.more;
+    return text.str();
+  }
+
+  /// Writes a text to a file of this process. @return its path
+  inline std::string
+  written(const std::string &text)
+  {
+    const std::string path = testing::TempDir() + "waker_level_ground_" +
+                             std::to_string(getpid()) + ".prm";
+    std::ofstream(path) << text;
+    return path;
+  }
+} // namespace LevelGround
+
+#endif
