@@ -21,7 +21,7 @@ import ranks
 from campaign_case import Campaign, Checks, finish
 
 N = 12
-FEW = 6  # where starting and ending is what counts
+FEW = 4  # where starting and ending is what counts
 TWO = {"Campaign/Ranks per realisation": 2}
 HOPELESS = {"Newton/Tolerance": 1e-8, "Newton/Maximum iterations": 1,
             "Time stepping/Maximum halvings": 0, "Campaign/Attempts": 2,
