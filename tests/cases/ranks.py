@@ -5,8 +5,8 @@ equal to 1e-10 after 20 steps, in the statistics and in each material point.
 
 usage: ranks.py WAKER SOURCE_DIRECTORY [UNIT_TESTS] [CASE...]
 
-Also: a run on three ranks that is interrupted and goes on on two; what is
-refused; the unit tests of partition and exchange on three ranks.
+Also: a run on three ranks that is killed and goes on on two; one that ends by
+SIGTERM; what is refused; the unit tests of partition and exchange on three ranks.
 """
 import glob
 import os
@@ -146,6 +146,36 @@ def resume_elsewhere(waker, path, settings, work):
     return d < 1e-10
 
 
+def ends_cleanly(waker, source):
+    """SIGTERM to all ranks: the run ends after a checkpoint."""
+    with tempfile.TemporaryDirectory() as work:
+        folder = os.path.join(work, "out")
+        words = ["mpirun", "-n", "2", waker, "run",
+                 os.path.join(source, "parameters/chapter5/dyke_weak.prm"),
+                 "--set", "Output/Directory=" + folder,
+                 "--set", "Grid/Cell size=0.5",
+                 "--set", "Output/Checkpoint interval=0.02"]
+        process = subprocess.Popen(words, env=ENVIRONMENT,
+                                   stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.DEVNULL)
+        while process.poll() is None:
+            try:
+                if len(statistics(folder)[1]) >= 3:
+                    break
+            except (OSError, ValueError):
+                pass
+            time.sleep(0.01)
+        ranks = subprocess.run(["pgrep", "-P", str(process.pid)],
+                               capture_output=True, text=True).stdout.split()
+        for rank in ranks:
+            os.kill(int(rank), signal.SIGTERM)
+        code = process.wait()
+        with open(os.path.join(folder, "log.txt")) as file:
+            log = file.read()
+    print(f"SIGTERM to {len(ranks)} ranks: ends with {code}")
+    return code == 128 + signal.SIGTERM and "Interrupted at t" in log
+
+
 def refusals(waker, source):
     """Three lines, once, exit code 2."""
     good = True
@@ -181,6 +211,7 @@ def main():
             print(done.stdout + done.stderr)
             bad += 1
         bad += not refusals(waker, source)
+        bad += not ends_cleanly(waker, source)
     for name in rest or list(cases):
         file, settings, step, ranks = cases[name]
         settings = settings + tight
