@@ -5,11 +5,11 @@
 #include <waker/base/sizes.h>
 #include <waker/campaign/campaign_folder.h>
 #include <waker/campaign/campaign_text.h>
-#include <waker/campaign/folder_keeper.h>
 #include <waker/campaign/folder_watch.h>
-#include <waker/campaign/realisation_runner.h>
+#include <waker/campaign/rank_groups.h>
 #include <waker/campaign/schedule.h>
 #include <waker/campaign/snapshots.h>
+#include <waker/campaign/tasks.h>
 #include <waker/case/sizes.h>
 #include <waker/output/files.h>
 #include <waker/output/output_folder.h>
@@ -18,13 +18,11 @@
 #include <waker/simulation/describe.h>
 #include <waker/statistics/report.h>
 #include <waker/store/campaign_files.h>
-#include <waker/store/journal.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <iostream>
-#include <optional>
 
 namespace Waker
 {
@@ -86,13 +84,10 @@ namespace Waker
     }
 
 
-    template <int dim>
-    using Runners = std::vector<std::unique_ptr<RealisationRunner<dim>>>;
-
-
+    /// @param communicator of the ranks that compute a realisation together
     template <int dim>
     Runners<dim>
-    make_runners(const Scenarios &scenarios)
+    make_runners(const Scenarios &scenarios, const MPI_Comm communicator)
     {
       Runners<dim> runners;
       for (const auto &scenario : scenarios)
@@ -107,7 +102,7 @@ namespace Waker
                 scenario->simulation,
                 scenario->reliability.fields,
                 scenario->reliability.campaign.attempts,
-                MPI_COMM_SELF));
+                communicator));
             }
           catch (const NumericalFailure &failure)
             {
@@ -153,94 +148,6 @@ namespace Waker
                      n * memory,
                      "fewer ranks");
     }
-
-
-    /// Draw tasks until none is left. @return false if interrupted
-    template <int dim>
-    bool
-    compute_tasks(const Runners<dim>    &runners,
-                  const Schedule        &schedule,
-                  const CampaignOptions &options,
-                  const std::uint64_t    seed,
-                  const double           checkpoint_interval,
-                  const std::string     &folder,
-                  const CampaignInfo    &info,
-                  const MPI_Comm         communicator,
-                  const CampaignWriter  &campaign_writer,
-                  FolderWatch           &watch,
-                  Work                  &work,
-                  Log                   &log)
-    {
-      IndexCounter                 counter(communicator);
-      std::optional<JournalWriter> writer;
-      Progress                    &progress = watch.progress;
-      std::uint64_t                batch    = -1;
-      while (true)
-        {
-          const std::uint64_t number =
-            counter.next() * options.n_chunks + options.chunk - 1;
-          if (number >= schedule.size())
-            return true;
-          const Task task = schedule.task(number);
-          if (task.batch != batch)
-            {
-              watch.poll();
-              batch = task.batch;
-            }
-          if (task.realisation >= progress.end(task.scenario) ||
-              progress.is_done(task.scenario, task.realisation))
-            continue;
-          // Another process may be at it, or have finished it just now.
-          const auto claim =
-            campaign_writer.claim(task.scenario, task.realisation);
-          if (!claim)
-            continue;
-          watch.poll();
-          if (progress.is_done(task.scenario, task.realisation))
-            continue;
-
-          const double end_time =
-            runners[task.scenario]->first_case().parameters.time.end_time;
-          FolderKeeper keeper(folder,
-                              task.scenario,
-                              task.realisation,
-                              info.hash,
-                              checkpoint_interval,
-                              [&](const double time) {
-                                if (log.progress_due())
-                                  log.progress(
-                                    (progress.n_done() + time / end_time) /
-                                      progress.n_wanted(),
-                                    progress_text(progress, info) +
-                                      running_text(task.realisation, time));
-                              });
-          // Not the wall time of the record, of which another process may have
-          // spent a part.
-          const auto            begun  = std::chrono::steady_clock::now();
-          std::optional<Record> record = runners[task.scenario]->run(
-            seed, task.realisation, options.interrupt, keeper);
-          work.busy += std::chrono::duration<double>(
-                         std::chrono::steady_clock::now() - begun)
-                         .count();
-          if (!record)
-            return false;
-          record->scenario = task.scenario;
-          if (!writer)
-            writer.emplace(folder, info.hash);
-          writer->append(*record);
-          keeper.remove();
-          progress.add(*record);
-          ++work.n;
-          work.fields += record->field_time;
-
-          if (log.progress_due())
-            {
-              watch.poll();
-              log.progress(double(progress.n_done()) / progress.n_wanted(),
-                           progress_text(progress, info));
-            }
-        }
-    }
   } // namespace
 
 
@@ -265,10 +172,11 @@ namespace Waker
                         std::to_string(parameters.realisations - 1));
 
     // All input is checked before anything is written.
+    const RankGroups groups(communicator, parameters.ranks_per_realisation);
     read_level_distribution(scenarios[0]->reliability.analysis.risk);
     if (rank == 0)
       check_campaign_folder(folder, info, options);
-    const Runners<dim> runners = make_runners<dim>(scenarios);
+    const Runners<dim> runners = make_runners<dim>(scenarios, groups.group());
 
     Log log =
       rank == 0 ? Log(std::cout, n_ranks == 1 && Log::is_terminal()) : Log();
@@ -292,14 +200,14 @@ namespace Waker
       log.line(line);
     for (const std::string &warning : runners[0]->properties().warnings())
       log.warning(warning);
-    log.line(campaign_text(info, n_ranks));
+    log.line(campaign_text(info, n_ranks, groups.size()));
     if (options.validate_only)
       {
         log.line(valid_text(folder));
         return CampaignStatus::completed;
       }
     MPI_Barrier(communicator); // the folder is there
-    if (rank != 0)
+    if (rank != 0 && groups.is_first())
       campaign_writer = std::make_unique<CampaignWriter>(folder);
 
     FolderWatch watch(folder, info.hash, parameters, scenarios.size());
@@ -312,21 +220,27 @@ namespace Waker
                " damaged line(s) of journals dropped (waker status says "
                "which); what is missing is computed again.");
 
-    Work       work;
-    const auto start    = std::chrono::steady_clock::now();
-    const bool finished = compute_tasks<dim>(
-      runners,
-      Schedule(scenarios.size(), options.first, last, parameters.batch),
-      options,
-      parameters.seed,
-      parameters.checkpoint_interval,
-      folder,
-      info,
-      communicator,
-      *campaign_writer,
-      watch,
-      work,
-      log);
+    const TaskSetup setup{parameters.seed,
+                          parameters.checkpoint_interval,
+                          options.chunk,
+                          options.n_chunks,
+                          options.interrupt,
+                          folder};
+    Work            work;
+    const auto      start = std::chrono::steady_clock::now();
+    const bool      finished =
+      groups.is_first()
+             ? compute_tasks<dim>(
+            runners,
+            Schedule(scenarios.size(), options.first, last, parameters.batch),
+            setup,
+            info,
+            groups,
+            *campaign_writer,
+            watch,
+            work,
+            log)
+             : follow_tasks<dim>(runners, setup, groups, work);
     work.wall =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
         .count();
@@ -359,9 +273,10 @@ namespace Waker
         return CampaignStatus::completed;
       }
 
-    const bool done = make_snapshots<dim>(
-      scenarios, folder, info.hash, options.interrupt, communicator);
-    int has_result = 1;
+    const bool made = make_snapshots<dim>(
+      scenarios, folder, info.hash, options.interrupt, groups);
+    const bool done = Utilities::MPI::min(made ? 1 : 0, communicator) == 1;
+    int        has_result = 1;
     if (rank == 0)
       has_result = merge_campaign(folder, *scenarios[0], false, log) ? 1 : 0;
     MPI_Bcast(&has_result, 1, MPI_INT, 0, communicator);

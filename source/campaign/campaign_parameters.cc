@@ -68,6 +68,15 @@ namespace Waker
       "each so many seconds of computing, so that one that is killed goes on "
       "from there with --resume (s of wall time). 0: it begins anew.",
       Patterns::Double(0.));
+    prm.add_parameter(
+      "Ranks per realisation",
+      ranks_per_realisation,
+      "Number r of ranks that compute each realisation together: N ranks, of "
+      "which it must be a divisor, compute N/r realisations at a time. More "
+      "than 1 pays only where one rank takes too long for a realisation, or "
+      "there are fewer realisations than ranks. Any number gives the same "
+      "results, but for round-off.",
+      Patterns::Integer(1));
     add_choice(prm,
                "Target",
                target,

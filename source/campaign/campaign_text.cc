@@ -24,13 +24,18 @@ namespace Waker
 
 
   std::string
-  campaign_text(const CampaignInfo &info, const int n_ranks)
+  campaign_text(const CampaignInfo &info,
+                const int           n_ranks,
+                const unsigned int  ranks_per_realisation)
   {
     std::string text =
       "Campaign " + info.hash + ": " + std::to_string(info.scenarios.size()) +
       " scenario(s) of up to " + std::to_string(info.realisations) +
       " realisations, seed " + std::to_string(info.seed) + ", " +
       std::to_string(n_ranks) + " rank(s)";
+    if (ranks_per_realisation > 1)
+      text +=
+        ", " + std::to_string(ranks_per_realisation) + " for each realisation";
     if (!info.swept_parameter.empty())
       for (const ScenarioInfo &scenario : info.scenarios)
         text += "\n  " + info.swept_parameter + " = " + scenario.value;

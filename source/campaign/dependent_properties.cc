@@ -106,7 +106,9 @@ namespace Waker
             for (const FieldTarget<dim> &target : targets)
               if (target.material == m && kind(target) == Kind::variable &&
                   target.moments.varied().name == variables[v].name &&
-                  variables[v].role == MaterialVariable::Role::strength)
+                  variables[v].initial_value.varies() &&
+                  variables[v].role !=
+                    MaterialVariable::Role::residual_strength)
                 throw UserError(target.path + "/Property",
                                 "is \"" + variables[v].name +
                                   "\", which in the material \"" +

@@ -29,6 +29,8 @@ namespace Waker
         case FieldProperty::residual_cohesion:
         case FieldProperty::strength_ratio:
         case FieldProperty::pop:
+        case FieldProperty::ocr:
+        case FieldProperty::preconsolidation_pressure:
         case FieldProperty::strength_at_top:
         case FieldProperty::strength_growth:
         case FieldProperty::strength_factor:

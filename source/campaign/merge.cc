@@ -130,7 +130,7 @@ namespace Waker
     const FolderContents contents = read_folder(folder, input, false);
     double               busy     = 0.;
     for (const Record &record : contents.records)
-      busy += record.wall_time;
+      busy += record.wall_time * record.ranks.value_or(1);
     log.line("Campaign " + contents.info.hash + " in " + folder + ": " +
              std::to_string(contents.records.size()) + " of " +
              std::to_string(contents.n_wanted) + " realisations done");

@@ -269,6 +269,8 @@ namespace Waker
       }
     if (!weights.empty() || is_stiffness_set)
       renew_initial_stress(*the_case, state);
+    else
+      consolidate(the_case->materials, state.points);
   }
 
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/mpi.h>
+
 #include <waker/base/errors.h>
 #include <waker/base/host.h>
 #include <waker/campaign/realisation_runner.h>
@@ -42,6 +44,16 @@ namespace Waker
     }
 
 
+    /// What the first rank has.
+    std::string
+    shared(const std::string &bytes, const MPI_Comm communicator)
+    {
+      return Utilities::MPI::n_mpi_processes(communicator) == 1
+               ? bytes
+               : Utilities::MPI::broadcast(communicator, bytes);
+    }
+
+
     /// Traces the geometry, looks at the first slide, and keeps all that for
     /// another process.
     template <int dim>
@@ -63,6 +75,13 @@ namespace Waker
         , keeper(keeper)
       {}
 
+      /// Called unless the moment is the last one.
+      bool
+      wants_all() override
+      {
+        return is_due = keeper.is_due(state.time, false);
+      }
+
       void
       looked(const StopReason stop, const bool last) override
       {
@@ -78,7 +97,9 @@ namespace Waker
             so_far.record.first_outward =
               moved_soil(state.points, !inner_is_positive);
           }
-        if (stop == StopReason::none && keeper.is_due(state.time, last))
+        if (stop == StopReason::none && last)
+          is_due = keeper.is_due(state.time, true);
+        if (stop == StopReason::none && is_due)
           {
             so_far.state     = state.write();
             so_far.wall_time = earlier_time + seconds_since(begun);
@@ -95,6 +116,7 @@ namespace Waker
       const Clock::time_point begun;
       const double            earlier_time; // s
       Keeper                 &keeper;
+      bool                    is_due = false; // the moment is to be kept
     };
   } // namespace
 
@@ -183,10 +205,12 @@ namespace Waker
     const Interrupt                       &interrupt,
     Keeper                                &keeper)
   {
+    const MPI_Comm            ranks = cases.first().grid.communicator();
     const Clock::time_point   start = Clock::now();
     Unfinished                so_far;
     std::optional<State<dim>> kept;
-    if (std::optional<Unfinished> earlier = Unfinished::read(keeper.earlier()))
+    if (std::optional<Unfinished> earlier =
+          Unfinished::read(shared(keeper.earlier(), ranks)))
       if (earlier->attempt < cases.size())
         if ((kept = state_from<dim>(earlier->state)))
           so_far = std::move(*earlier);
@@ -241,7 +265,10 @@ namespace Waker
       so_far.attempt);
     if (interrupted)
       return {};
-    so_far.record.wall_time = earlier_time + seconds_since(start);
+    so_far.record.wall_time    = earlier_time + seconds_since(start);
+    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(ranks);
+    if (n_ranks > 1)
+      so_far.record.ranks = n_ranks;
     return std::move(so_far.record);
   }
 

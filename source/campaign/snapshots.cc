@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/hash.h>
 #include <waker/campaign/progress.h>
+#include <waker/campaign/rank_groups.h>
 #include <waker/campaign/realisation_setup.h>
 #include <waker/campaign/snapshots.h>
 #include <waker/output/files.h>
@@ -13,6 +14,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -133,6 +135,41 @@ namespace Waker
         }
       return result;
     }
+
+
+    /// By the ranks of a group, of which the first writes it.
+    /// @return false if interrupted
+    template <int dim>
+    bool
+    make_snapshot(const Input        &input,
+                  const std::uint64_t realisation,
+                  const fs::path     &snapshots,
+                  const std::string  &name,
+                  const Interrupt    &interrupt,
+                  const RankGroups   &groups)
+    {
+      // Under another name until it is whole: another part of the campaign may
+      // be making it, too.
+      const fs::path unfinished = snapshots / unfinished_name(name);
+      RunOptions     options;
+      options.overwrite = true;
+      options.quiet     = true;
+      options.interrupt = interrupt;
+      const bool done =
+        run_realisation<dim>(input,
+                             realisation,
+                             unfinished.string(),
+                             options,
+                             groups.group()) != RunStatus::interrupted;
+      if (!groups.is_first())
+        return done;
+      std::error_code error;
+      if (done)
+        fs::rename(unfinished, snapshots / name, error);
+      if (!done || error)
+        remove_run_folder(unfinished.string());
+      return done;
+    }
   } // namespace
 
 
@@ -142,7 +179,7 @@ namespace Waker
                  const std::string &folder,
                  const std::string &hash,
                  const Interrupt   &interrupt,
-                 const MPI_Comm     communicator)
+                 const RankGroups  &groups)
   {
     const SnapshotParameters &wanted = scenarios[0]->reliability.snapshots;
     if (wanted.first == 0 && wanted.of_each_outcome == 0 &&
@@ -150,39 +187,37 @@ namespace Waker
       return true;
 
     const fs::path snapshots = snapshots_folder(folder);
+    const auto     make      = [&](const Task &task) {
+      return make_snapshot<dim>(*scenarios[task.scenario],
+                                task.realisation,
+                                snapshots,
+                                snapshot_name(task.scenario, task.realisation),
+                                interrupt,
+                                groups);
+    };
+    if (!groups.is_first())
+      {
+        while (const std::optional<Task> task = groups.share())
+          if (!make(*task))
+            return false;
+        return true;
+      }
     make_folder(snapshots);
-    unsigned int       number  = 0;
-    bool               done    = true;
-    const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator);
-    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+    unsigned int number = 0;
     for (const auto &[scenario, realisation] :
          chosen(scenarios, read_journals(folder, hash).records))
       {
-        const std::string name = snapshot_name(scenario, realisation);
-        std::error_code   error;
-        if (number++ % n_ranks != rank || fs::exists(snapshots / name, error))
+        std::error_code error;
+        if (number++ % groups.n_groups() != groups.number() ||
+            fs::exists(snapshots / snapshot_name(scenario, realisation), error))
           continue;
-
-        // Under another name until it is whole: another part of the campaign
-        // may be making it, too.
-        const fs::path unfinished = snapshots / unfinished_name(name);
-        RunOptions     options;
-        options.overwrite = true;
-        options.quiet     = true;
-        options.interrupt = interrupt;
-        done              = run_realisation<dim>(*scenarios[scenario],
-                                    realisation,
-                                    unfinished.string(),
-                                    options,
-                                    MPI_COMM_SELF) != RunStatus::interrupted;
-        if (done)
-          fs::rename(unfinished, snapshots / name, error);
-        if (!done || error)
-          remove_run_folder(unfinished.string());
-        if (!done)
-          break;
+        const Task task{scenario, realisation, 0};
+        groups.share(task);
+        if (!make(task))
+          return false; // which the others of the group see, too
       }
-    return Utilities::MPI::min(done ? 1 : 0, communicator) == 1;
+    groups.share({}); // nothing more
+    return true;
   }
 
 
@@ -203,11 +238,11 @@ namespace Waker
                     const std::string &,
                     const std::string &,
                     const Interrupt &,
-                    const MPI_Comm);
+                    const RankGroups &);
   template bool
   make_snapshots<3>(const Scenarios &,
                     const std::string &,
                     const std::string &,
                     const Interrupt &,
-                    const MPI_Comm);
+                    const RankGroups &);
 } // namespace Waker

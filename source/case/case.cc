@@ -287,6 +287,7 @@ namespace Waker
       }
     else
       scene.set_internal_force(points);
+    consolidate(materials, points);
 
     // Newmark starts from the acceleration that fits the forces at t = 0.
     set_initial_acceleration(*this, scene, points);

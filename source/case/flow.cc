@@ -317,6 +317,12 @@ namespace Waker
     // Only what the sums below ask for.
     MaterialPoints<dim> gone;
     gone.resize(own_list.size());
+    for (const NamedArray &scalar : points.scalars)
+      {
+        std::vector<double> &values = gone.scalar(scalar.name);
+        for (std::size_t k = 0; k < own_list.size(); ++k)
+          values[k] = scalar.values[own_list[k]];
+      }
     double         mass = 0.;
     Tensor<1, dim> inertia;
     for (std::size_t k = 0; k < own_list.size(); ++k)

@@ -237,6 +237,7 @@ namespace Waker
           before.stress[p] + (is_effective ? pressure : -pressure) *
                                dealii::unit_symmetric_tensor<3>();
       }
+    consolidate(materials, initial_points); // by the stress of that stage
     stages             = daily->stages;
     stages.back().name = "daily stage";
   }
@@ -296,6 +297,7 @@ namespace Waker
       }
     else
       scene.set_internal_force(points);
+    consolidate(the_case.materials, points);
     set_initial_acceleration(the_case, scene, points);
     state.energy.elastic_start = elastic_energy(points, the_case.materials);
     state.energy.elastic       = state.energy.elastic_start;

@@ -42,6 +42,7 @@ namespace Waker
         const SymmetricTensor<2, 3> start = stress(k0);
         SymmetricTensor<2, 3>       end   = start;
         std::vector<double>         after = variables;
+        material.consolidate(start, after.data());
         material.update(SymmetricTensor<2, 3>(), end, after.data(), nullptr);
         return (end - start).norm();
       }

@@ -15,6 +15,7 @@
 
 #include "long_step_checks.h"
 #include "pore_water_checks.h"
+#include "stiffness_checks.h"
 #include <algorithm>
 #include <limits>
 
@@ -332,6 +333,7 @@ namespace Waker
     time.check();
     check_time_scheme(time, gravity, mapping);
     check_long_steps(*this);
+    check_stiffness(*this);
     newton.check();
     initial_failure.check();
     sliding.check();

@@ -39,6 +39,13 @@ namespace Waker
                                      p.mohr_coulomb,
                                      measure,
                                      "Materials/" + p.name + "/");
+          case MaterialModel::modified_cam_clay:
+            return make_modified_cam_clay(density,
+                                          p.elastic,
+                                          p.cam_clay,
+                                          p.mohr_coulomb.friction_angle,
+                                          p.von_mises.strength.pop,
+                                          "Materials/" + p.name + "/");
         }
       AssertThrow(false, ExcInternalError());
       return nullptr;

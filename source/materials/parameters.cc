@@ -38,10 +38,12 @@ namespace Waker
                           "Poisson's ratio of " +
                           in_digits(largest));
       if (!m.is_drained())
-        throw UserError(path + "Pore fluid stiffness",
-                        "is " + in_digits(stiffness) + " kPa, but Model is " +
-                          name_of(m.model) + ", a law of total stress",
-                        "0, or a law of effective stress: Mohr-Coulomb");
+        throw UserError(
+          path + "Pore fluid stiffness",
+          "is " + in_digits(stiffness) + " kPa, but Model is " +
+            name_of(m.model) + ", a law of total stress",
+          "0, or a law of effective stress: Mohr-Coulomb, modified "
+          "Cam clay");
     }
 
 
@@ -58,6 +60,8 @@ namespace Waker
             return {"initial_strength"};
           case MaterialModel::mohr_coulomb:
             return {"cohesion", "friction_angle", "dilatancy_angle"};
+          case MaterialModel::modified_cam_clay:
+            return {"friction_angle"};
         }
       return {};
     }
@@ -85,7 +89,8 @@ namespace Waker
                "undrained strength c that falls from the initial to the "
                "residual value with plastic strain; plane-strain "
                "strength c, yield at q = sqrt(3) c. Mohr-Coulomb: cohesion "
-               "and friction, with a tension cut-off; may soften.");
+               "and friction, with a tension cut-off; may soften. modified Cam "
+               "clay: friction at critical state, and compression.");
     prm.add_parameter("Unit weight",
                       unit_weight,
                       "Weight per volume (kN/m^3), above 0.",
@@ -110,8 +115,8 @@ namespace Waker
       k0,
       "Initial stress/From = K0: horizontal over vertical effective stress (-), "
       "at least 0, where the ground is level: a number; an expression of the "
-      "place as of Initial strength, in which Mohr-Coulomb's friction_angle "
-      "(degrees) is that at the place; elastic: nu/(1 - nu), of Poisson's "
+      "place as of Initial strength, in which friction_angle "
+      "(degrees) is that at the place, if the law has one; elastic: nu/(1 - nu), of Poisson's "
       "ratio; or Jaky: 1 - sin(friction_angle).",
       ExpressionPattern());
     add_choice(
@@ -127,7 +132,7 @@ namespace Waker
     prm.add_parameter(
       "Pore fluid stiffness",
       pore_fluid_stiffness,
-      "Mohr-Coulomb: bulk stiffness of the water in the pores of soil that does "
+      "Laws of effective stress: bulk stiffness of the water in the pores of soil that does "
       "not drain (kPa), that of water over the porosity, at least 0: "
       "volumetric strain makes excess pore pressure, and effective parameters "
       "an undrained soil. It drains in the gravity step. 0: it drains.",
@@ -146,6 +151,7 @@ namespace Waker
     elastic.add_parameters(prm);
     von_mises.add_parameters(prm);
     mohr_coulomb.add_parameters(prm);
+    cam_clay.add_parameters(prm);
   }
 
 
@@ -184,6 +190,7 @@ namespace Waker
     check_expression(path + "K0", k0_expression(), k0_symbols(model), dim);
     von_mises.check_expressions(path, dim); // whatever the model
     mohr_coulomb.check_expressions(path, dim);
+    cam_clay.check_always(path, dim);
     const double scale = softening_measure(cell_size).of_uniform_strain();
     switch (model)
       {
@@ -194,6 +201,12 @@ namespace Waker
           return;
         case MaterialModel::mohr_coulomb:
           mohr_coulomb.check(path, elastic, scale);
+          return;
+        case MaterialModel::modified_cam_clay:
+          cam_clay.check(path,
+                         elastic,
+                         mohr_coulomb.friction_angle,
+                         von_mises.strength.pop);
           return;
       }
   }
@@ -233,6 +246,8 @@ namespace Waker
           return von_mises.softening_modulus < 0.;
         case MaterialModel::mohr_coulomb:
           return mohr_coulomb.softening_strain > 0.;
+        case MaterialModel::modified_cam_clay:
+          return false; // but on the dry side, of its own
       }
     return false;
   }
@@ -246,12 +261,12 @@ namespace Waker
       return in_digits(elastic.poissons_ratio / (1. - elastic.poissons_ratio));
     if (text != "Jaky")
       return text;
-    if (model != MaterialModel::mohr_coulomb)
+    if (!is_drained())
       throw UserError("Materials/" + name + "/K0",
                       std::string("is Jaky, but Model = ") + name_of(model) +
                         " has no friction angle",
                       "a number, an expression, or elastic");
-    if (mohr_coulomb.has_table())
+    if (model == MaterialModel::mohr_coulomb && mohr_coulomb.has_table())
       throw UserError("Materials/" + name + "/K0",
                       "is Jaky, but a Shear strength table has no friction "
                       "angle",
@@ -266,12 +281,29 @@ namespace Waker
     switch (model)
       {
         case MaterialModel::mohr_coulomb:
+        case MaterialModel::modified_cam_clay:
           return true;
         case MaterialModel::linear_elastic:
         case MaterialModel::von_mises_softening:
           return false;
       }
     return false;
+  }
+
+
+  bool
+  MaterialParameters::has_constant_stiffness() const
+  {
+    switch (model)
+      {
+        case MaterialModel::modified_cam_clay:
+          return false;
+        case MaterialModel::mohr_coulomb:
+        case MaterialModel::linear_elastic:
+        case MaterialModel::von_mises_softening:
+          return true;
+      }
+    return true;
   }
 
 
@@ -283,6 +315,8 @@ namespace Waker
         case MaterialModel::mohr_coulomb:
           return mohr_coulomb.has_table() ||
                  plain_number(mohr_coulomb.friction_angle).value_or(1.) != 0.;
+        case MaterialModel::modified_cam_clay:
+          return true;
         case MaterialModel::linear_elastic:
         case MaterialModel::von_mises_softening:
           return false;
@@ -298,6 +332,7 @@ namespace Waker
       {
         case MaterialModel::linear_elastic:
         case MaterialModel::mohr_coulomb:
+        case MaterialModel::modified_cam_clay:
           return {};
         case MaterialModel::von_mises_softening:
           return von_mises.strength_expression("Materials/" + name + "/");
@@ -309,6 +344,9 @@ namespace Waker
   bool
   MaterialParameters::strength_follows_stress() const
   {
+    if (model == MaterialModel::modified_cam_clay)
+      return cam_clay.preconsolidation_expression().find("vertical_stress") !=
+             std::string::npos;
     const auto strength = undrained_strength();
     return strength && strength->find("vertical_stress") != std::string::npos;
   }

@@ -59,6 +59,15 @@ namespace Waker
   }
 
 
+  void
+  UndrainedSoil::consolidate(const SymmetricTensor<2, 3> &stress,
+                             double                      *variables) const
+  {
+    soil->consolidate(stress + variables[number] * unit_symmetric_tensor<3>(),
+                      variables);
+  }
+
+
   double
   UndrainedSoil::update(const SymmetricTensor<2, 3> &strain_increment,
                         SymmetricTensor<2, 3>       &stress,

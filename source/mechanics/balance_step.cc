@@ -122,7 +122,8 @@ namespace Waker
           report.yielding =
             yielded_volume(points, kept[strain].values, has_yielded) / volume;
         points.scalars = kept;
-        report.share   = share;
+        consolidate(materials, points);
+        report.share = share;
         ++report.steps;
       }
     report.converged     = report.share >= 1.;

@@ -6,63 +6,6 @@
 
 namespace Waker
 {
-  namespace
-  {
-    /// Elastic energy per volume of a stress (kPa).
-    inline double
-    elastic_energy(const SymmetricTensor<2, 3> &stress,
-                   const Material              &material)
-    {
-      const double p = trace(stress) / 3.;
-      return p * p / (2. * material.bulk_modulus()) +
-             (stress * stress - 3. * p * p) / (4. * material.shear_modulus());
-    }
-  } // namespace
-
-
-  template <int dim>
-  void
-  declare_material_variables(const Materials     &materials,
-                             MaterialPoints<dim> &points)
-  {
-    for (unsigned int m = 0; m < materials.size(); ++m)
-      for (const MaterialVariable &variable : materials[m]->variables())
-        {
-          std::vector<double> &values = points.scalar(variable.name);
-          for (std::size_t p = 0; p < points.n_points(); ++p)
-            if (points.material[p] == m)
-              values[p] = variable.initial_value.number;
-        }
-  }
-
-
-  template <int dim>
-  double
-  stiffness_ratio(const MaterialPoints<dim> &points,
-                  const Materials           &materials,
-                  const std::size_t          p)
-  {
-    if (!materials[points.material[p]]->stiffness_variable())
-      return 1.;
-    const int i = points.find_scalar("stiffness ratio");
-    AssertThrow(i >= 0, ExcMessage("the points lack the stiffness ratio"));
-    return points.scalars[i].values[p];
-  }
-
-
-  template <int dim>
-  double
-  elastic_energy(const MaterialPoints<dim> &points, const Materials &materials)
-  {
-    double sum = 0.;
-    for (std::size_t p = 0; p < points.n_points(); ++p)
-      sum += points.volume[p] *
-             elastic_energy(points.stress[p], *materials[points.material[p]]) /
-             stiffness_ratio(points, materials, p);
-    return sum;
-  }
-
-
   template <int dim>
   StressUpdate<dim>::StressUpdate(const Materials                  &materials,
                                   std::unique_ptr<PointMotion<dim>> motion)
@@ -312,22 +255,6 @@ namespace Waker
   }
 
 
-  template void
-  declare_material_variables(const Materials &, MaterialPoints<2> &);
-  template void
-  declare_material_variables(const Materials &, MaterialPoints<3> &);
-  template double
-  stiffness_ratio(const MaterialPoints<2> &,
-                  const Materials &,
-                  const std::size_t);
-  template double
-  stiffness_ratio(const MaterialPoints<3> &,
-                  const Materials &,
-                  const std::size_t);
-  template double
-  elastic_energy(const MaterialPoints<2> &, const Materials &);
-  template double
-  elastic_energy(const MaterialPoints<3> &, const Materials &);
   template class StressUpdate<2>;
   template class StressUpdate<3>;
 } // namespace Waker

@@ -14,7 +14,10 @@
 #include <waker/program/program.h>
 #include <waker/store/campaign_files.h>
 
+#include <chrono>
+#include <cstdlib>
 #include <iostream>
+#include <thread>
 
 namespace Waker
 {
@@ -76,6 +79,24 @@ namespace Waker
     }
 
 
+    /// Where MPI has not been started: several ranks have read the same, and
+    /// meet the same mistake. The first one says so and ends, upon which who
+    /// has started them ends the others before they say it again.
+    void
+    wait_for_first_rank()
+    {
+      // Of Open MPI, PMIx and PMI.
+      for (const char *const name :
+           {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"})
+        if (const char *const rank = std::getenv(name))
+          {
+            if (std::atoi(rank) > 0)
+              std::this_thread::sleep_for(std::chrono::seconds(5));
+            return;
+          }
+    }
+
+
     int
     execute(const CommandLine &line, char **argv)
     {
@@ -101,6 +122,7 @@ namespace Waker
       }
     catch (...)
       {
+        wait_for_first_rank();
         return report_exception();
       }
   }

@@ -7,6 +7,7 @@
 #include <waker/simulation/plausibility.h>
 
 #include "prismatic_warnings.h"
+#include "strange_cam_clay.h"
 #include "strange_pore_water.h"
 #include "strange_strengths.h"
 #include "uplift_warnings.h"
@@ -194,6 +195,7 @@ namespace Waker
     check_strengths_of_points(the_case, warnings);
     check_line(the_case, warnings);
     warn_of_soil_in_water(the_case, warnings);
+    warn_of_consolidation(the_case, warnings);
     warn_of_uplift_in_storm(the_case, warnings);
     check_loads(the_case, warnings);
     warn_of_walls(the_case, warnings);

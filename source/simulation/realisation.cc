@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
+#include <string>
 
 namespace Waker
 {
@@ -99,8 +101,14 @@ namespace Waker
       {
         return scheme().solve(own_points(), t, dt, nodes);
       }
-    catch (const NumericalFailure &)
+    catch (const NumericalFailure &failure)
       {
+        // What the ranks see together is seen elsewhere. The others know
+        // nothing of this, and wait: only an end of all of them is left.
+        if (part)
+          throw std::runtime_error(
+            "on one of several ranks: " + std::string(failure.what()) +
+            "; compute this on one rank");
         // Soil without stiffness (that water lifts, say) is in no balance: it
         // moves.
         if (!control.is_long())

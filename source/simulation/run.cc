@@ -186,6 +186,7 @@ namespace Waker
           status = RunStatus::numerical_failure;
           // The last good state, as a rule. A step that has left no numbers
           // must not replace what is on disk.
+          realisation.complete();
           if (is_finite(state.points))
             recorder.checkpoint(state, true);
         }
@@ -288,14 +289,25 @@ namespace Waker
             setup(the_case, state);
           if (options.validate_only)
             return RunStatus::completed;
+          // From now on a signal is seen by all ranks together.
+          if (options.before_writing)
+            options.before_writing();
           if (options.resume)
             share_state(communicator, state);
           Realisation<dim> realisation(the_case, state);
           Watcher          nobody;
-          return run_to_end(realisation, nobody, options.interrupt) ==
-                     StopReason::none
-                   ? RunStatus::interrupted
-                   : RunStatus::completed;
+          try
+            {
+              return run_to_end(realisation, nobody, options.interrupt) ==
+                         StopReason::none
+                       ? RunStatus::interrupted
+                       : RunStatus::completed;
+            }
+          catch (const NumericalFailure &)
+            {
+              realisation.complete(); // for the first rank's checkpoint
+              throw;
+            }
         }
       catch (const NumericalFailure &)
         {

@@ -189,7 +189,7 @@ namespace Waker
 
   template <int dim>
   bool
-  RunWatcher<dim>::wants_all() const
+  RunWatcher<dim>::wants_all()
   {
     return is_new && recorder.writes_fields_at(state.time);
   }

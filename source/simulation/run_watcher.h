@@ -28,7 +28,7 @@ namespace Waker
     looked(const StopReason stop, const bool last) override;
 
     bool
-    wants_all() const override;
+    wants_all() override;
 
     void
     advanced() override;

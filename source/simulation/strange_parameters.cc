@@ -10,6 +10,7 @@
 
 #include "plausible_ranges.h"
 #include "storm_warnings.h"
+#include "strange_cam_clay.h"
 #include "strange_pore_water.h"
 #include "strange_softening.h"
 #include "unused_parameters.h"
@@ -293,6 +294,7 @@ namespace Waker
     for (const MaterialParameters &material : p.materials)
       {
         check_material(material, ranges);
+        warn_of_cam_clay(material, p.dimension, warnings);
         check_softening(material,
                         p.grid,
                         p.points.points_per_direction,

@@ -55,6 +55,8 @@ namespace Waker
                    << " kPa lose their friction at once (snap-back)";
               break;
             }
+          case MaterialModel::modified_cam_clay:
+            return; // see warn_of_cam_clay()
         }
       warnings.push_back(text.str());
     }

@@ -64,7 +64,8 @@ namespace Waker
       throw UserError(
         "Materials/Names",
         "no material has a strength to reduce",
-        "a material with one: \"von Mises softening\" or \"Mohr-Coulomb\"");
+        "a material with one: \"von Mises softening\", \"Mohr-Coulomb\" or "
+        "\"modified Cam clay\"");
     return lines;
   }
 

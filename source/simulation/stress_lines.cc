@@ -79,7 +79,9 @@ namespace Waker
       };
       const double *const        stress   = values("initial vertical stress"),
                           *const strength = values("undrained shear strength"),
-                          *const ratio    = values("overconsolidation ratio");
+                          *const ratio    = values("overconsolidation ratio"),
+                          *const isotropic =
+                            values("preconsolidation pressure");
       if (there.empty() || stress == nullptr)
         return "";
       std::string text =
@@ -106,6 +108,13 @@ namespace Waker
                           return ratio[there[i]] * stress[there[i]];
                         }) +
           " kPa";
+      if (isotropic != nullptr && isotropic[there.front()] > 0.)
+        text += "; p_c " +
+                three_numbers(volumes,
+                              [&](const std::size_t i) {
+                                return isotropic[there[i]];
+                              }) +
+                " kPa";
       return text + " (least, mean, largest)";
     }
   } // namespace

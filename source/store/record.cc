@@ -53,7 +53,7 @@ namespace Waker
     }
 
 
-    /// The others: they differ each time.
+    /// The others: they differ each time, and decide nothing.
     template <typename Self, typename Function>
     void
     for_each_timing(Self &s, const Function &f)
@@ -61,6 +61,7 @@ namespace Waker
       using namespace Plausible;
       f("wall_time", s.wall_time, duration);
       f("field_time", s.field_time, duration);
+      f("ranks", s.ranks, count);
     }
   } // namespace
 

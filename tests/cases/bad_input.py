@@ -199,6 +199,15 @@ def values(cases):
     set_value("Poisson", f"{CLAY}/Poisson's ratio", 0.5, r"0\.5")
     set_value("snap-back", f"{CLAY}/Softening modulus", -600, "snap-back")
     set_value("hardening", f"{CLAY}/Softening modulus", 50, "50 kPa")
+    # Whatever the model.
+    set_value("kappa above lambda", f"{CLAY}/Kappa", 0.3, "Lambda 0.2")
+    set_value("no kappa", f"{CLAY}/Kappa", 0, "is 0")
+    set_value("lambda", f"{CLAY}/Lambda", "1e308", "is 1e")
+    set_value("void ratio", f"{CLAY}/Void ratio", 0, "is 0")
+    set_value("OCR", f"{CLAY}/OCR", 0.9, "is 0.9")
+    set_value("OCR is no number", f"{CLAY}/OCR", "nan", "nan")
+    set_value("least pressure", f"{CLAY}/Least pressure", 0, "is 0")
+    set_value("negative p_c", f"{CLAY}/Preconsolidation pressure", -1, "is -1")
     set_value("time step", "Time stepping/Time step", 0, "is 0")
     set_value("tolerance", "Newton/Tolerance", 0, "is 0")
     set_value("edge of the crest", "Sliding masses/Crest edge", "left",

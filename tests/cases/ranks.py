@@ -7,8 +7,8 @@ it changes more than 1e-10 on one rank, the limit is that change.
 
 usage: ranks.py WAKER SOURCE_DIRECTORY [UNIT_TESTS] [CASE...]
 
-Also: a run on three ranks that is killed and goes on on two; the unit tests of
-partition and exchange on three ranks.
+Also: a run that is killed again and again and goes on on another number of ranks;
+one that ends by SIGTERM; the unit tests of partition and exchange on three ranks.
 """
 import glob
 import os
@@ -185,6 +185,36 @@ def kill_and_resume(waker, path, settings, work, counts):
     return d < 1e-10 and n_killed > 0
 
 
+def ends_cleanly(waker, source):
+    """SIGTERM to all ranks: the run ends after a checkpoint."""
+    with tempfile.TemporaryDirectory() as work:
+        folder = os.path.join(work, "out")
+        words = ["mpirun", "-n", "2", waker, "run",
+                 os.path.join(source, "parameters/chapter5/dyke_weak.prm"),
+                 "--set", "Output/Directory=" + folder,
+                 "--set", "Grid/Cell size=0.5",
+                 "--set", "Output/Checkpoint interval=0.02"]
+        process = subprocess.Popen(words, env=ENVIRONMENT,
+                                   stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.DEVNULL)
+        while process.poll() is None:
+            try:
+                if len(statistics(folder)[1]) >= 3:
+                    break
+            except (OSError, ValueError):
+                pass
+            time.sleep(0.01)
+        ranks = subprocess.run(["pgrep", "-P", str(process.pid)],
+                               capture_output=True, text=True).stdout.split()
+        for rank in ranks:
+            os.kill(int(rank), signal.SIGTERM)
+        code = process.wait()
+        with open(os.path.join(folder, "log.txt")) as file:
+            log = file.read()
+    print(f"SIGTERM to {len(ranks)} ranks: ends with {code}")
+    return code == 128 + signal.SIGTERM and "Interrupted at t" in log
+
+
 def main():
     waker, source = os.path.abspath(sys.argv[1]), sys.argv[2]
     rest = sys.argv[3:]
@@ -195,6 +225,7 @@ def main():
         if done.returncode != 0:
             print(done.stdout + done.stderr)
             bad += 1
+        bad += not ends_cleanly(waker, source)
     for name in rest or cases:
         file, settings, step, ranks = cases[name]
         names = {setting.partition("=")[0] for setting in settings}

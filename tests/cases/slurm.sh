@@ -5,7 +5,9 @@
 # slurmd are started on loopback, with everything they write in a temporary
 # folder. An array of three chunks, of which one is requeued in its middle and
 # one is told that its time is up, and a job that merges afterwards, give the
-# results of a single process; so does an MPI job that is requeued.
+# results of a single process; so does an MPI job that is requeued. One in which
+# two ranks compute each realisation has the same outcomes, and a single run on
+# two ranks goes on when it is requeued.
 #
 # usage: slurm.sh WAKER_BINARY SOURCE_DIR
 set -u
@@ -185,6 +187,34 @@ check.exit()
 END
 }
 
+# Each realisation once, with the same outcome; softening makes more of round-off.
+same_outcomes()
+{
+  "${PYTHON:-/usr/bin/python3}" - "$@" "$realisations" << 'END'
+import glob
+import json
+import sys
+
+
+def outcomes(folder):
+    found = []
+    for path in glob.glob(folder + "/journal-*.jsonl"):
+        for line in open(path, encoding="utf-8"):
+            record = json.loads(line)
+            if "realisation" in record:
+                found.append((record["realisation"], record["outcome"]))
+    return sorted(found)
+
+
+one, other = (outcomes(folder) for folder in sys.argv[1:3])
+good = one == other and len(other) == int(sys.argv[3])
+print("ok  " if good else "FAIL", "mixed: outcomes",
+      sorted(set(one) ^ set(other)))
+sys.exit(not good)
+END
+}
+has_checkpoint() { compgen -G "$1/checkpoints/checkpoint-*.bin" > /dev/null; }
+
 # --- The array ------------------------------------------------------------------
 array=$(submit --array=1-3 "$scripts/array.slurm" "${campaign[@]}" \
   --set Output/Directory=array) || give_up "sbatch array.slurm"
@@ -229,6 +259,40 @@ if srun --mpi=list 2>&1 | grep -q pmix; then
   "$WAKER" merge mpi >> one.log 2>&1 || give_up "merging the MPI job"
   same "$source/tests/cases" "$WAKER" 'MPI, requeued' one mpi ||
     failures=$((failures + 1))
+
+  # --- Two ranks for each realisation; one realisation on two ranks -------------
+  job=$(WAKER_RANKS=2 submit --ntasks=2 "$scripts/mixed.slurm" "${campaign[@]}" \
+    --set Output/Directory=mixed) || give_up "sbatch mixed.slurm"
+  wait_until 60 has_records mixed 4 || give_up "the mixed job does not start"
+  scancel --batch --signal=USR1 "$job"
+  hurry "$job"
+  wait_until 240 ended "$job" || give_up "the mixed job does not end"
+  check 'the mixed job ended cleanly' \
+    "$(grep -c 'Interrupted; go on' "waker-$job.log")" 1
+  check 'exit code of the mixed job' "$(field "$job" ExitCode)" 0:0
+  same_outcomes one mixed || failures=$((failures + 1))
+
+  job=$(WAKER_RANKS=2 submit --ntasks=1 "$scripts/mixed.slurm" "${campaign[@]}" \
+    --set Output/Directory=odd) || give_up "sbatch mixed.slurm, one task"
+  wait_until 60 ended "$job" || give_up "what must be refused does not end"
+  check 'two ranks of one are refused' "$(field "$job" ExitCode)" 2:0
+  job=$(WAKER_RANKS=2 submit --ntasks=2 "$scripts/mixed.slurm" "${campaign[@]}" \
+    --set Output/Directory=odd --nonsense) || give_up "sbatch mixed.slurm, wrong"
+  wait_until 60 ended "$job" || give_up "what is wrong does not end"
+  check 'what is wrong does not begin again' "$(field "$job" Restarts)" 0
+
+  job=$(submit --ntasks=2 "$scripts/run.slurm" "$file" single --realisation 0 \
+    --set 'Grid/Cell size=0.5' --set 'Time stepping/Time step=0.001' \
+    --set 'Time stepping/End time=2' \
+    --set 'Output/Checkpoint interval=0.05') || give_up "sbatch run.slurm"
+  wait_until 60 has_checkpoint single || give_up "the run does not start"
+  scontrol requeue "$job"
+  hurry "$job"
+  wait_until 240 ended "$job" || give_up "the run does not end"
+  check 'the run ended cleanly' \
+    "$(grep -c 'Interrupted at' "waker-$job.log")" 1
+  check 'the run went on' "$(grep -c 'Resumed at' "waker-$job.log")" 1
+  check 'exit code of the run' "$(field "$job" ExitCode)" 0:0
 else
   echo "not run: this Slurm has no PMIx, and so no MPI job"
 fi

@@ -102,7 +102,8 @@ namespace base_choice
     check_names<FixityRegion>(7);
     check_names<FixityType>(3);
     check_names<FixityMethod>(2);
-    check_names<MaterialModel>(3);
+    check_names<MaterialModel>(4);
+    check_names<FrictionHolds>(2);
     check_names<VonMisesSoftening::Invariant>(2);
     check_names<Regularisation>(2);
     check_names<NeighbourWeight>(2);
@@ -117,7 +118,7 @@ namespace base_choice
     check_names<LoadTarget>(4);
     check_names<LoadedPoints>(2);
     check_names<LoadMass>(2);
-    check_names<FieldProperty>(16);
+    check_names<FieldProperty>(18);
     check_names<PorePressureOf>(2);
     check_names<StressFrom>(2);
     check_names<BalanceLaws>(2);

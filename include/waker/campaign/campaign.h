@@ -57,9 +57,10 @@ namespace Waker
 
   /**
    * Compute the realisations that are missing in the folder Output/Directory,
-   * by all ranks of the communicator, one rank per realisation. Several
-   * processes may work in one folder at a time: parts of a job array, say. Once
-   * all realisations are there, they are merged and the snapshots made.
+   * by all ranks of the communicator, so many for each realisation as the
+   * parameters say. Several processes may work in one folder at a time: parts
+   * of a job array, say. Once all realisations are there, they are merged and
+   * the snapshots made.
    *
    * @throws UserError before anything is written; or when a journal cannot be
    * written any more: what is finished stays

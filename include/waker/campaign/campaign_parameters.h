@@ -50,6 +50,8 @@ namespace Waker
     /// Between two checkpoints of a realisation under way, s of wall time; 0:
     /// none.
     double checkpoint_interval = 30.;
+    /// That compute each realisation together.
+    unsigned int ranks_per_realisation = 1;
 
     // When to stop before N; 0: not for this reason.
     CampaignTarget target                   = CampaignTarget::flooding;

@@ -26,7 +26,9 @@ namespace Waker
 
   /// What is about to be computed: hash, scenarios, number, seed, ranks.
   std::string
-  campaign_text(const CampaignInfo &info, const int n_ranks);
+  campaign_text(const CampaignInfo &info,
+                const int           n_ranks,
+                const unsigned int  ranks_per_realisation);
 
   /// "84 of at most 200, S1 12, flooded 9, P(F) = 0.107 [0.0502, 0.194]"; the
   /// probability only of a single scenario, without water that of S1.
@@ -49,7 +51,7 @@ namespace Waker
 
   /// "120 realisations an hour and core; at most 2.1 h of one core to go"; ""
   /// where nothing is known of the time that they take.
-  /// @param busy sum of the wall times of those that are done (s)
+  /// @param busy sum over those that are done of wall time times ranks (s)
   std::string
   pace_text(const std::uint64_t n_done,
             const std::uint64_t n_wanted,

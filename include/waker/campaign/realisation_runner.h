@@ -30,7 +30,8 @@ namespace Waker
     /**
      * @param attempts a realisation that fails numerically is begun again with
      *        half the time step, up to so many times in all
-     * @param communicator of the ranks that share one realisation; one for now
+     * @param communicator of the ranks that compute a realisation together: all
+     *        of them call each function
      * @throws UserError, NumericalFailure (of the gravity step)
      */
     RealisationRunner(const Parameters             &parameters,
@@ -82,7 +83,8 @@ namespace Waker
     }
 
     /// The same.
-    /// @param keeper what it has kept is gone on with
+    /// @param keeper what it has kept is gone on with; of several ranks that of
+    ///        the first
     std::optional<Record>
     run(const std::uint64_t seed,
         const std::uint64_t realisation,

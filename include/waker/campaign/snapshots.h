@@ -11,6 +11,8 @@
 
 namespace Waker
 {
+  class RankGroups;
+
   /**
    * Run one realisation of a campaign with full output to the folder
    * `directory`. As in the campaign, one that fails numerically is begun again
@@ -30,10 +32,10 @@ namespace Waker
   /**
    * Run the realisations that section "Snapshots" asks for again, with full
    * output, to folder/snapshots/<scenario>-<realisation>. Those that are there
-   * already stay. Collective over the communicator.
+   * already stay. Collective over each group, which share them out.
    *
    * @param hash of the campaign in the folder
-   * @return false if interrupted
+   * @return false if this group was interrupted
    */
   template <int dim>
   bool
@@ -41,7 +43,7 @@ namespace Waker
                  const std::string &folder,
                  const std::string &hash,
                  const Interrupt   &interrupt,
-                 const MPI_Comm     communicator);
+                 const RankGroups  &groups);
 } // namespace Waker
 
 #endif

@@ -33,6 +33,8 @@ namespace Waker
     strength_ratio,
     strength_exponent,
     pop,
+    ocr,
+    preconsolidation_pressure,
     strength_at_top,
     strength_growth,
     strength_factor,
@@ -67,6 +69,10 @@ namespace Waker
           return "strength exponent";
         case FieldProperty::pop:
           return "POP";
+        case FieldProperty::ocr:
+          return "OCR";
+        case FieldProperty::preconsolidation_pressure:
+          return "preconsolidation pressure";
         case FieldProperty::strength_at_top:
           return "strength at top";
         case FieldProperty::strength_growth:

@@ -3,6 +3,7 @@
 #define waker_materials_factory_h
 
 #include <waker/materials/material.h>
+#include <waker/materials/modified_cam_clay.h>
 #include <waker/materials/mohr_coulomb.h>
 #include <waker/materials/von_mises_softening.h>
 
@@ -23,7 +24,8 @@ namespace Waker
   {
     linear_elastic,
     von_mises_softening,
-    mohr_coulomb
+    mohr_coulomb,
+    modified_cam_clay
   };
 
   constexpr const char *
@@ -37,6 +39,8 @@ namespace Waker
           return "von Mises softening";
         case MaterialModel::mohr_coulomb:
           return "Mohr-Coulomb";
+        case MaterialModel::modified_cam_clay:
+          return "modified Cam clay";
       }
     return nullptr;
   }
@@ -100,7 +104,8 @@ namespace Waker
     // Of the laws, those of others unread.
     LinearElasticParameters     elastic;
     VonMisesSofteningParameters von_mises;
-    MohrCoulombParameters       mohr_coulomb;
+    MohrCoulombParameters       mohr_coulomb; // its friction angle for both
+    ModifiedCamClayParameters   cam_clay;
 
     /// The undrained shear strength as an expression of the place; nothing if
     /// the law has none.
@@ -119,6 +124,11 @@ namespace Waker
     /// Is its law one of effective stress (Material::is_of_effective_stress())?
     bool
     is_drained() const;
+
+    /// Are its moduli those of Young's modulus and Poisson's ratio, whatever
+    /// the pressure?
+    bool
+    has_constant_stiffness() const;
 
     /// Poisson's ratio (-) of the soil with its water in it, if it stays.
     double

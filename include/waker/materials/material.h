@@ -118,6 +118,13 @@ namespace Waker
     virtual void
     divide_strengths(const double factor, double *variables) const;
 
+    /// A point bears this stress (kPa, as of update()) in situ: it has gone
+    /// through what that takes. By default that leaves no trace.
+    virtual void
+    consolidate(const SymmetricTensor<2, 3> & /*stress*/,
+                double * /*variables*/) const
+    {}
+
     /**
      * The stress after a strain increment.
      *

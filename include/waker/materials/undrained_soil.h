@@ -28,11 +28,22 @@ namespace Waker
     std::vector<MaterialVariable>
     variables() const override;
 
+    std::vector<MaterialVariable>
+    coefficients() const override
+    {
+      return soil->coefficients();
+    }
+
     std::optional<std::pair<unsigned int, std::string>>
     initial_problem(const std::vector<double> &variables) const override;
 
     void
     divide_strengths(const double factor, double *variables) const override;
+
+    /// By the effective stress.
+    void
+    consolidate(const SymmetricTensor<2, 3> &stress,
+                double                      *variables) const override;
 
     SofteningMeasure
     softening_measure() const override

@@ -33,7 +33,13 @@ namespace Waker
                   const Materials           &materials,
                   const std::size_t          p);
 
-  /// Elastic energy of the points' stresses (kJ).
+  /// The points bear their stress in situ (Material::consolidate()).
+  template <int dim>
+  void
+  consolidate(const Materials &materials, MaterialPoints<dim> &points);
+
+  /// Elastic energy of the points' stresses (kJ). Variables that the points
+  /// lack are 0.
   template <int dim>
   double
   elastic_energy(const MaterialPoints<dim> &points, const Materials &materials);

@@ -21,9 +21,10 @@ namespace Waker
     {}
 
     /// Will looked() ask for more of the moment than what each step leaves:
-    /// places and velocities of the points, and what is measured?
+    /// places and velocities of the points, and what is measured? Not asked of
+    /// the last moment, which has all.
     virtual bool
-    wants_all() const
+    wants_all()
     {
       return false;
     }

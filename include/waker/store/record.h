@@ -77,6 +77,8 @@ namespace Waker
     std::uint64_t unconverged_steps = 0;
     double        wall_time         = 0.; // s
     double        field_time        = 0.; // of which for the fields, s
+    /// That have computed it together, if there were several.
+    std::optional<unsigned int> ranks;
 
     /// If they were watched.
     std::optional<SlidingMasses> sliding_masses;
