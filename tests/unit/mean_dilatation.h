@@ -21,9 +21,9 @@ namespace MeanDilatation
 
   /// Points at any place, in a grid of cells of h.
   template <int dim>
-  struct Body
+  struct SampleBody
   {
-    Body(const ShapeFunctions functions, const double nu)
+    SampleBody(const ShapeFunctions functions, const double nu)
       : grid(Lattice::grid<dim>(1.5, h))
       , weights(grid, functions)
     {

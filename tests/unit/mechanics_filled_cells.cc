@@ -71,8 +71,8 @@ namespace mechanics_filled_cells
     void
     check_shares_between(const ShapeFunctions functions)
     {
-      const Body<dim>  body(functions, 0.3);
-      FilledCells<dim> share;
+      const SampleBody<dim> body(functions, 0.3);
+      FilledCells<dim>      share;
       share.reinit(body.points, body.weights);
       unsigned int between = 0, full = 0;
       for (std::size_t p = 0; p < share.size(); ++p)

@@ -25,7 +25,7 @@ namespace mechanics_mean_dilatation
     void
     check_centre_functions(const ShapeFunctions functions)
     {
-      const Body<dim>          body(functions, 0.3);
+      const SampleBody<dim>    body(functions, 0.3);
       const CentreStencil<dim> stencil(body.grid);
       Lattice::Random          random(3);
       const auto               A = random.matrix<dim>(-1., 1.);
@@ -115,7 +115,7 @@ namespace mechanics_mean_dilatation
     void
     check_linear_field(const ShapeFunctions functions, const bool objective)
     {
-      Body<dim>         body(functions, 0.3);
+      SampleBody<dim>   body(functions, 0.3);
       auto              points = body.points, other = body.points;
       Lattice::Random   random(5);
       const auto        A = random.matrix<dim>(-0.2, 0.2);
@@ -144,7 +144,7 @@ namespace mechanics_mean_dilatation
     void
     check_energy(const ShapeFunctions functions)
     {
-      Body<dim>         body(functions, 0.45);
+      SampleBody<dim>   body(functions, 0.45);
       Lattice::Random   random(11);
       const NodalVector u = random_field(body.grid, random);
       const NodalVector v = random_field(body.grid, random);
@@ -175,8 +175,8 @@ namespace mechanics_mean_dilatation
     void
     check_bending()
     {
-      Body<dim>   body(ShapeFunctions::linear, 0.4999);
-      NodalVector u(body.grid.n_dofs()), force(body.grid.n_dofs());
+      SampleBody<dim> body(ShapeFunctions::linear, 0.4999);
+      NodalVector     u(body.grid.n_dofs()), force(body.grid.n_dofs());
       // u_x = x y about the centre of each cell: saw teeth over the nodes.
       for (unsigned int i = 0; i < body.grid.n_nodes(); ++i)
         {
@@ -214,8 +214,8 @@ namespace mechanics_mean_dilatation
     void
     check_rotation()
     {
-      Body<dim>      body(ShapeFunctions::gimp, 0.3);
-      Tensor<2, dim> A =
+      SampleBody<dim> body(ShapeFunctions::gimp, 0.3);
+      Tensor<2, dim>  A =
         Lattice::rotation<dim>(0.7, Tensor<1, 3>({0., 0., 1.}));
       for (unsigned int d = 0; d < dim; ++d)
         A[d][d] -= 1.;
