@@ -116,8 +116,8 @@ namespace Waker
                             points,
                             resistances);
       };
-      if (Utilities::MPI::n_mpi_processes(the_case.grid.communicator()) == 1 ||
-          !scene.resistances().empty() || may_mix(the_case.materials))
+      if (!has_several_ranks(the_case) || !scene.resistances().empty() ||
+          may_mix(the_case.materials))
         return step(scene.weights,
                     the_case.fixities,
                     scene.nodes,

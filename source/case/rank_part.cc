@@ -158,15 +158,31 @@ namespace Waker
 
 
   template <int dim>
+  bool
+  has_several_ranks(const Case<dim> &the_case)
+  {
+    // Who uses the library without MPI has one.
+    int is_used = 0;
+    MPI_Initialized(&is_used);
+    return is_used != 0 &&
+           Utilities::MPI::n_mpi_processes(the_case.grid.communicator()) > 1;
+  }
+
+
+  template <int dim>
   std::unique_ptr<RankPart<dim>>
   make_rank_part(const Case<dim> &the_case, MaterialPoints<dim> &points)
   {
-    if (Utilities::MPI::n_mpi_processes(the_case.grid.communicator()) == 1)
+    if (!has_several_ranks(the_case))
       return nullptr;
     return std::make_unique<RankPart<dim>>(the_case, points);
   }
 
 
+  template bool
+  has_several_ranks(const Case<2> &);
+  template bool
+  has_several_ranks(const Case<3> &);
   template class RankPart<2>;
   template class RankPart<3>;
   template std::unique_ptr<RankPart<2>>

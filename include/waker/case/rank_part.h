@@ -141,6 +141,10 @@ namespace Waker
   };
 
 
+  template <int dim>
+  bool
+  has_several_ranks(const Case<dim> &the_case);
+
   /// On one rank there is none.
   template <int dim>
   std::unique_ptr<RankPart<dim>>
