@@ -163,6 +163,26 @@ def compare(one, many):
     return worst
 
 
+def ranks_of(process):
+    """The ranks that an mpirun has started."""
+    return [int(word) for word in
+            subprocess.run(["pgrep", "-P", str(process.pid)], capture_output=True,
+                           text=True).stdout.split()]
+
+
+def kill_all(process):
+    """By SIGKILL, and wait: a rank that is left would still have the folder."""
+    ranks = ranks_of(process)
+    for pid in ranks + [process.pid]:
+        try:
+            os.kill(pid, signal.SIGKILL)
+        except ProcessLookupError:
+            pass
+    process.wait()
+    while any(os.path.exists(f"/proc/{pid}/exe") for pid in ranks):
+        time.sleep(0.01)
+
+
 def kill_and_resume(waker, path, settings, work, counts):
     """Each but the last of these numbers of ranks is killed after some steps."""
     one, many = os.path.join(work, "one"), os.path.join(work, "resumed")
@@ -185,7 +205,7 @@ def kill_and_resume(waker, path, settings, work, counts):
         while process.poll() is None:
             try:
                 if len(statistics(many)[1]) >= enough:
-                    os.killpg(process.pid, signal.SIGKILL)
+                    kill_all(process)
             except (OSError, ValueError, IndexError):
                 pass
             time.sleep(0.01)
@@ -215,10 +235,9 @@ def ends_cleanly(waker, source):
             except (OSError, ValueError):
                 pass
             time.sleep(0.01)
-        ranks = subprocess.run(["pgrep", "-P", str(process.pid)],
-                               capture_output=True, text=True).stdout.split()
+        ranks = ranks_of(process)
         for rank in ranks:
-            os.kill(int(rank), signal.SIGTERM)
+            os.kill(rank, signal.SIGTERM)
         code = process.wait()
         with open(os.path.join(folder, "log.txt")) as file:
             log = file.read()
