@@ -161,7 +161,6 @@ namespace Waker
   bool
   has_several_ranks(const Case<dim> &the_case)
   {
-    // Who uses the library without MPI has one.
     int is_used = 0;
     MPI_Initialized(&is_used);
     return is_used != 0 &&

@@ -141,6 +141,7 @@ namespace Waker
   };
 
 
+  /// Is the case computed by more than one? Without MPI there is one.
   template <int dim>
   bool
   has_several_ranks(const Case<dim> &the_case);
