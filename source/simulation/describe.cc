@@ -357,6 +357,25 @@ namespace Waker
   }
 
 
+  void
+  describe_traffic(const NodeExchange::Traffic &sent,
+                   const unsigned int           n_ranks,
+                   const std::uint64_t          n_steps,
+                   Log                         &log)
+  {
+    if (n_ranks == 1 || n_steps == 0)
+      return;
+    const auto n = static_cast<double>(n_steps);
+    say(log,
+        "%u ranks; in a step the first one sent %.4g messages with %.4g kB of "
+        "nodes, and took part in %.4g sums over all",
+        n_ranks,
+        static_cast<double>(sent.messages) / n,
+        1e-3 * static_cast<double>(sent.bytes) / n,
+        static_cast<double>(sent.reductions) / n);
+  }
+
+
   template void
   describe_case(const Case<2> &, Log &);
   template void

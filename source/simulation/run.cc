@@ -18,14 +18,13 @@
 #include <waker/simulation/run.h>
 #include <waker/simulation/run_to_end.h>
 
+#include "end_warnings.h"
 #include "run_watcher.h"
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
-#include <sstream>
 
 namespace Waker
 {
@@ -50,71 +49,6 @@ namespace Waker
     }
 
 
-    /// What keeps a dyke moving may be the method: work goes in that comes out
-    /// as mapping loss. "" if it is not that.
-    template <int dim>
-    std::string
-    energy_from_the_mapping(const State<dim> &state,
-                            const Parameters &parameters,
-                            const Outcome     outcome)
-    {
-      const EnergyAccount &e    = state.energy;
-      const double         work = std::abs(e.gravity_work + e.load_work);
-      if (outcome != Outcome::still_moving ||
-          !(std::abs(e.mapping_loss) > 0.5 * work))
-        return "";
-      std::ostringstream text;
-      text.precision(3);
-      text << "Time stepping/Time step: the dyke still moves, and the mapping "
-              "loss of "
-           << e.mapping_loss
-           << " kJ is more than half of the work of weight and loads, " << work
-           << " kJ: try a smaller time step";
-      if (parameters.water.stands() &&
-          parameters.surface.method != SurfaceMethod::contour)
-        text << ", or Surface/Method = contour if only a little soil moves "
-                "under the water";
-      return text.str();
-    }
-
-
-    /// A load that points carry may leave with them.
-    template <int dim>
-    void
-    warn_of_lost_loads(const LoadProgrammes<dim> &programmes,
-                       const State<dim>          &state,
-                       Log                       &log)
-    {
-      for (std::size_t i = 0; i < programmes.list().size(); ++i)
-        {
-          const double lost = programmes.share_lost(i, state.points);
-          if (lost < 1e-3)
-            continue;
-          std::ostringstream text;
-          text.precision(3);
-          text << "load " << programmes.names()[i].name << ": " << 100. * lost
-               << " % of it has left the grid with the soil that carried it; "
-                  "its factor counts all of it";
-          log.warning(text.str());
-        }
-    }
-
-
-    template <int dim>
-    void
-    warn_of_idle_walls(const Case<dim>  &the_case,
-                       const Scene<dim> &scene,
-                       Log              &log)
-    {
-      const std::vector<unsigned int> now = scene.walls.idle();
-      for (const unsigned int w : the_case.idle_walls)
-        if (std::find(now.begin(), now.end(), w) != now.end())
-          log.warning("Walls/" + the_case.parameters.walls[w].name +
-                      ": no soil touched it at the start, nor does any at the "
-                      "end: it may have held nothing");
-    }
-
-
     /// What was warned of may be why a run has failed numerically.
     void
     repeat_warnings(const RunStatus status, Log &log)
@@ -124,27 +58,6 @@ namespace Waker
       log.line("  It was warned of, and may be why:");
       for (const std::string &text : log.warnings())
         log.line("    " + text);
-    }
-
-
-    /// Of the first of several ranks.
-    void
-    describe_traffic(const NodeExchange::Traffic &sent,
-                     const unsigned int           n_ranks,
-                     const std::uint64_t          n_steps,
-                     Log                         &log)
-    {
-      if (n_ranks == 1 || n_steps == 0)
-        return;
-      const auto         n = static_cast<double>(n_steps);
-      std::ostringstream text;
-      text.precision(4);
-      text << n_ranks << " ranks; in a step the first one sent "
-           << static_cast<double>(sent.messages) / n << " messages with "
-           << 1e-3 * static_cast<double>(sent.bytes) / n
-           << " kB of nodes, and took part in "
-           << static_cast<double>(sent.reductions) / n << " sums over all";
-      log.line(text.str());
     }
 
 
@@ -200,12 +113,7 @@ namespace Waker
                    " s; go on with --resume.");
           return status;
         }
-      const std::string pumped =
-        energy_from_the_mapping(state, the_case.parameters, outcome);
-      if (!pumped.empty())
-        log.warning(pumped);
-      warn_of_lost_loads(the_case.programmes, state, log);
-      warn_of_idle_walls(the_case, realisation.view().scene, log);
+      warn_at_end(the_case, state, realisation.view().scene, outcome, log);
       recorder.write_summary(state,
                              the_case.programmes.names(),
                              outcome,

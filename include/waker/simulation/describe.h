@@ -45,6 +45,13 @@ namespace Waker
                   const double                 wall_time,
                   const std::uint64_t          steps_done,
                   Log                         &log);
+
+  /// What the first of several ranks told the others in a step.
+  void
+  describe_traffic(const NodeExchange::Traffic &sent,
+                   const unsigned int           n_ranks,
+                   const std::uint64_t          n_steps,
+                   Log                         &log);
 } // namespace Waker
 
 #endif
