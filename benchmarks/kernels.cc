@@ -200,7 +200,7 @@ namespace WakerBenchmarks
       reached.reinit(nodes.mass);
       const SystemOperator<dim> system(
         resistances, 1., 4. / (m.dt * m.dt), nodes.mass, reached, removed);
-      LinearSolver ours(m.the_case.grid.n_dofs());
+      LinearSolver ours(m.the_case.grid.n_dofs(), m.the_case.grid.exchange());
       DealGmres    deal;
       LinearReport report;
       for (auto _ : timer)
