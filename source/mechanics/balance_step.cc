@@ -107,6 +107,7 @@ namespace Waker
         nodes.external_force.add(share, full);
         StepReport<dim> solved = scheme->solve(points, 0., 0., nodes);
         report.iterations += solved.newton_iterations;
+        report.strong_failures += solved.strong_failures;
         report.residual = solved.residuals.back();
         if (watcher)
           watcher(report);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/mechanics/ghost_stiffness.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Waker
@@ -104,6 +105,29 @@ namespace Waker
         d[row.middle - row.distance] += k;
         d[row.middle] += 4. * k;
         d[row.middle + row.distance] += k;
+      }
+  }
+
+
+  template <int dim>
+  void
+  GhostStiffness<dim>::add_entries(MatrixEntries &entries) const
+  {
+    constexpr unsigned int n             = 3 * dim;
+    constexpr double       bend[3]       = {1., -2., 1.};
+    double                 matrix[n * n] = {};
+    for (const Row &row : rows)
+      {
+        const unsigned int middle = row.middle / dim, c = row.middle % dim,
+                           distance = row.distance / dim;
+        const unsigned int nodes[]  = {middle - distance,
+                                       middle,
+                                       middle + distance};
+        for (unsigned int i = 0; i < 3; ++i)
+          for (unsigned int j = 0; j < 3; ++j)
+            matrix[n * (dim * i + c) + dim * j + c] = k * bend[i] * bend[j];
+        entries.add({nodes, 3}, {matrix, n * n});
+        std::fill_n(matrix, n * n, 0.);
       }
   }
 

@@ -57,13 +57,31 @@ namespace Waker
 
 
   void
-  Gmres::product(const Operator            &A,
-                 const std::vector<double> &v,
-                 std::vector<double>       &w)
+  Gmres::precondition(const std::vector<double>  &v,
+                      const Preconditioner *const strong,
+                      NodalVector                &to)
   {
-    double *const x = src.begin();
+    if (strong == nullptr)
+      {
+        double *const x = to.begin();
+        for (std::size_t k = 0; k < dofs.size(); ++k)
+          x[dofs[k]] = preconditioner[k] * v[k];
+        return;
+      }
+    plain.reinit(to);
     for (std::size_t k = 0; k < dofs.size(); ++k)
-      x[dofs[k]] = preconditioner[k] * v[k];
+      plain.begin()[dofs[k]] = v[k];
+    strong->vmult(to, plain);
+  }
+
+
+  void
+  Gmres::product(const Operator             &A,
+                 const std::vector<double>  &v,
+                 const Preconditioner *const strong,
+                 std::vector<double>        &w)
+  {
+    precondition(v, strong, src);
     A.vmult(dst, src);
     const double *const y = dst.begin();
     w.resize(dofs.size());
@@ -109,11 +127,12 @@ namespace Waker
 
 
   LinearReport
-  Gmres::solve(const Operator    &A,
-               NodalVector       &x,
-               const NodalVector &b,
-               const double       tolerance,
-               const unsigned int max_iterations)
+  Gmres::solve(const Operator             &A,
+               NodalVector                &x,
+               const NodalVector          &b,
+               const double                tolerance,
+               const unsigned int          max_iterations,
+               const Preconditioner *const strong)
   {
     const std::size_t n = dofs.size();
     basis.resize(restart + 1);
@@ -128,7 +147,7 @@ namespace Waker
         if (report.iterations == 0)
           r.assign(n, 0.);
         else
-          product(A, solution, r);
+          product(A, solution, strong, r);
         for (std::size_t k = 0; k < n; ++k)
           r[k] = b.begin()[dofs[k]] - r[k];
         const double norm = std::sqrt(ranks->sum(dot(r, r)));
@@ -151,7 +170,7 @@ namespace Waker
                !report.converged)
           {
             std::vector<double> &w = basis[m + 1];
-            product(A, basis[m], w);
+            product(A, basis[m], strong, w);
             double       column[restart + 1];
             const double length = orthogonalise(w, m + 1, column);
             for (unsigned int i = 0; i <= m; ++i)
@@ -191,8 +210,7 @@ namespace Waker
       }
 
     x = 0.;
-    for (std::size_t k = 0; k < n; ++k)
-      x.begin()[dofs[k]] = preconditioner[k] * solution[k];
+    precondition(solution, strong, x);
     return report;
   }
 } // namespace Waker

@@ -54,7 +54,12 @@ namespace Waker
     StepReport<dim> step = scheme->solve(points, 0., 0., nodes);
     scheme->to_points(0., 0., nodes, points, step);
     points.material = own_materials;
-    return {step.converged, step.residuals, elastic.cells};
+    return {step.converged,
+            step.residuals,
+            elastic.cells,
+            step.linear_iterations,
+            step.strong_iterations,
+            step.strong_failures};
   }
 
 

@@ -41,6 +41,8 @@ namespace Waker
     report.converged         = solved.converged;
     report.newton_iterations = solved.iterations;
     report.linear_iterations = solved.linear_iterations;
+    report.strong_iterations = solved.strong_iterations;
+    report.strong_failures   = solved.strong_failures;
     report.residuals         = solved.residuals;
     return report;
   }

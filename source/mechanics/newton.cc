@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/mechanics/multilevel.h>
 #include <waker/mechanics/newton.h>
 
 #include <algorithm>
@@ -19,8 +20,13 @@ namespace Waker
     /// the softest motion that counts, the bending of a slender body: 1e-7.
     constexpr double relative_shift = 1e-10;
 
-    /// Added to that of a linear body, whose iterations take it away again.
-    constexpr double elastic_shift = 1e-6;
+    /// Added to that of a linear body, whose iterations take it away again: all
+    /// but a share s / a of a motion whose stiffness is a of its diagonal. The
+    /// softest ones have an `a` of the square of cell size over length. In
+    /// space bodies have more cells along them, and s is what products of
+    /// single precision bear.
+    template <int dim>
+    constexpr double elastic_shift = dim == 2 ? 1e-6 : 1e-7;
 
     /// Corrections of bodies whose forces have corners are halved up to so many
     /// times where they make the residual larger, from this iteration on: the
@@ -56,7 +62,11 @@ namespace Waker
     , parameters(parameters)
     , full_node_mass(full_node_mass)
     , method(method)
-    , linear_solver(grid.n_dofs(), grid.exchange())
+    , linear_solver(grid.n_dofs(),
+                    grid.exchange(),
+                    dim == 3 && method != LinearMethod::krylov
+                      ? std::make_unique<Multilevel<dim>>(grid)
+                      : nullptr)
     , reached(grid)
     , R(grid.n_dofs())
     , correction(grid.n_dofs())
@@ -230,7 +240,9 @@ namespace Waker
         if (!is_elastic)
           direct_solver->factorise(system, relative_shift);
         else if (first)
-          direct_solver->factorise(system, elastic_shift, MatrixKind::definite);
+          direct_solver->factorise(system,
+                                   elastic_shift<dim>,
+                                   MatrixKind::definite);
         direct_solver->solve(correction, R);
         return {1, true};
       }
@@ -250,7 +262,8 @@ namespace Waker
     };
     if (method == LinearMethod::krylov)
       return solve(system);
-    return solve(StaticOperator(system, R, is_elastic ? elastic_shift : 0.));
+    return solve(
+      StaticOperator(system, R, is_elastic ? elastic_shift<dim> : 0.));
   }
 
 
@@ -304,6 +317,8 @@ namespace Waker
         const LinearReport linear =
           solve_linear(resistances, terms, nodes, first, norm);
         report.linear_iterations += linear.iterations;
+        report.strong_iterations += linear.strong_iterations;
+        report.strong_failures += linear.strong_failed;
         ++report.iterations;
         if (direct_solver && norm < unsolvable_limit &&
             norm_of_residual(nodes.mass) <= parameters.tolerance)

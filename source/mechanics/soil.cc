@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/mechanics/point_stiffness.h>
 #include <waker/mechanics/soil.h>
 
 #include <utility>
@@ -95,6 +96,14 @@ namespace Waker
   Soil<dim>::add_diagonal(NodalVector &diagonal) const
   {
     stiffness().add_diagonal(diagonal);
+  }
+
+
+  template <int dim>
+  void
+  Soil<dim>::add_entries(MatrixEntries &entries) const
+  {
+    add_point_stiffness(stress_update, *points, *weights, entries);
   }
 
 

@@ -158,12 +158,11 @@ namespace Waker
 
 
   template <int dim>
+  template <typename Function>
   void
-  StressUpdate<dim>::material_tangents(
-    const MaterialPoints<dim>          &points,
-    std::vector<SymmetricTensor<4, 3>> &tangents) const
+  StressUpdate<dim>::for_each_tangent(const MaterialPoints<dim> &points,
+                                      const Function            &f) const
   {
-    tangents.resize(points.n_points());
     Work       work;
     PointRange range = {0, 0};
     while (range.end < points.n_points())
@@ -183,12 +182,56 @@ namespace Waker
             double variables[max_variables];
             for (unsigned int v = 0; v < variable_arrays[m].size(); ++v)
               variables[v] = work.variables[v][l];
-            material.update(strain,
-                            stress,
-                            variables,
-                            &tangents[range.begin + l]);
+            SymmetricTensor<4, 3> tangent;
+            material.update(strain, stress, variables, &tangent);
+            f(range.begin + l, material, tangent);
           }
       }
+  }
+
+
+  template <int dim>
+  void
+  StressUpdate<dim>::material_tangents(
+    const MaterialPoints<dim>          &points,
+    std::vector<SymmetricTensor<4, 3>> &tangents) const
+  {
+    tangents.resize(points.n_points());
+    for_each_tangent(points,
+                     [&](const std::size_t p,
+                         const Material &,
+                         const SymmetricTensor<4, 3> &tangent) {
+                       tangents[p] = tangent;
+                     });
+  }
+
+
+  template <int dim>
+  void
+  StressUpdate<dim>::isotropic_tangents(
+    const MaterialPoints<dim>    &points,
+    std::vector<IsotropicModuli> &moduli) const
+  {
+    constexpr double least = 1e-3;
+    moduli.resize(points.n_points());
+    for_each_tangent(
+      points,
+      [&](const std::size_t            p,
+          const Material              &material,
+          const SymmetricTensor<4, 3> &C) {
+        double volumetric = 0., all = 0.; // 9 k, 3 k + 10 G
+        for (unsigned int i = 0; i < 3; ++i)
+          for (unsigned int j = 0; j < 3; ++j)
+            {
+              volumetric += C[i][i][j][j];
+              all += C[i][j][i][j];
+            }
+        const double k = volumetric / 9., G = (all - 3. * k) / 10.;
+        // Not a number is not larger.
+        const double k_least = least * material.bulk_modulus(),
+                     G_least = least * material.shear_modulus();
+        moduli[p] = {k > k_least ? k : k_least, G > G_least ? G : G_least};
+      });
   }
 
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace Waker
 {
@@ -119,6 +120,16 @@ namespace Waker
 
 
   template <int dim>
+  void
+  SystemOperator<dim>::add_entries(MatrixEntries &entries) const
+  {
+    Assert(ramp == 1. && inertia == 0., ExcNotImplemented());
+    for (const Resistance<dim> *const resistance : *resistances)
+      resistance->add_entries(entries);
+  }
+
+
+  template <int dim>
   bool
   SystemOperator<dim>::is_symmetric() const
   {
@@ -153,10 +164,30 @@ namespace Waker
   }
 
 
-  LinearSolver::LinearSolver(const unsigned int  n_dofs,
-                             const NodeExchange &ranks)
+  namespace
+  {
+    /// Iterations with the diagonal that take as long as to set up the stronger
+    /// preconditioner: 200 with 7,000 equations, 160 with 42,000, 100 with
+    /// 320,000 (doc/verification/static_steps.md).
+    constexpr unsigned int patience = 200;
+
+
+    /// How many are to be expected of a body in space, about as long as wide:
+    /// as many as it has equations along an edge, for each digit (same page).
+    double
+    expected_iterations(const double n_equations, const double tolerance)
+    {
+      return std::cbrt(n_equations) * std::log10(1. / tolerance);
+    }
+  } // namespace
+
+
+  LinearSolver::LinearSolver(const unsigned int              n_dofs,
+                             const NodeExchange             &ranks,
+                             std::unique_ptr<Preconditioner> strong)
     : gmres(ranks)
     , ranks(&ranks)
+    , strong(std::move(strong))
   {
     jacobi.get_vector().reinit(n_dofs);
   }
@@ -173,33 +204,113 @@ namespace Waker
     for (double &entry : diagonal)
       entry = entry != 0. ? 1. / std::abs(entry) : 0.;
     gmres.prepare(diagonal);
+    if (strong)
+      {
+        strong->clear();
+        state       = Strong::later;
+        n_diagonal  = 0;
+        n_equations = ranks->sum(
+          std::count_if(diagonal.begin(),
+                        diagonal.end(),
+                        [](const double entry) { return entry != 0.; }));
+      }
   }
 
 
-  namespace
+  template <typename M>
+  LinearReport
+  LinearSolver::conjugate_gradients(const Operator    &A,
+                                    NodalVector       &x,
+                                    const NodalVector &b,
+                                    const M           &preconditioner,
+                                    SolverControl     &control) const
   {
-    /// x and b may be vectors that ranks share.
-    /// @return has it converged, without a sign that A is not definite?
-    template <typename Vector, typename Preconditioner>
-    bool
-    conjugate_gradients(const Operator       &A,
-                        Vector               &x,
-                        const Vector         &b,
-                        const Preconditioner &preconditioner,
-                        ReductionControl     &control)
-    {
-      SolverCG<Vector> cg(control);
+    const auto solve = [&](auto &x, const auto &b) {
+      SolverCG<std::decay_t<decltype(x)>> cg(control);
       try
         {
           cg.solve(A, x, b, preconditioner);
         }
       catch (const SolverControl::NoConvergence &)
         {
-          return false; // GMRES will try
+          return false; // another way will be tried
         }
-      return x * b > 0.;
-    }
-  } // namespace
+      return x * b > 0.; // else A is not definite
+    };
+    LinearReport report;
+    if (ranks->is_one_rank())
+      report.converged = solve(x, b);
+    else
+      {
+        SharedVector shared_x(*ranks), shared_b(*ranks);
+        shared_x.reinit(x, true);
+        shared_x = x;
+        shared_b.reinit(b, true);
+        // Equations of others, and those that do not exist, have none.
+        const double *const inverse = jacobi.get_vector().begin();
+        for (unsigned int i = 0; i < b.locally_owned_size(); ++i)
+          shared_b.begin()[i] = inverse[i] != 0. ? b.begin()[i] : 0.;
+        report.converged = solve(shared_x, shared_b);
+        x                = shared_x;
+      }
+    report.iterations = control.last_step();
+    return report;
+  }
+
+
+  LinearReport
+  LinearSolver::solve_symmetric(const Operator    &A,
+                                NodalVector       &x,
+                                const NodalVector &b,
+                                const double       tolerance,
+                                const unsigned int max_iterations)
+  {
+    LinearReport report;
+    const auto   add = [&](const LinearReport &part) {
+      report.converged = part.converged;
+      report.iterations += part.iterations;
+    };
+    if (state != Strong::ready)
+      {
+        unsigned int n = max_iterations;
+        if (state == Strong::later)
+          n = expected_iterations(n_equations, tolerance) > patience
+                ? 0
+                : std::min(n, patience - std::min(n_diagonal, patience));
+        ReductionControl control(n, 1e-300, tolerance, false, false);
+        add(conjugate_gradients(A, x, b, jacobi, control));
+        n_diagonal += report.iterations;
+        if (report.converged || state == Strong::failed || n == max_iterations)
+          return report;
+        state = strong->reinit(A) ? Strong::ready : Strong::failed;
+        report.strong_failed = state == Strong::failed;
+      }
+
+    // From here on, or from the start if that has come to nothing.
+    const double *const inverse = jacobi.get_vector().begin();
+    double              square  = 0.;
+    bool                is_sane = true;
+    for (unsigned int i = 0; i < b.locally_owned_size(); ++i)
+      {
+        square += inverse[i] != 0. ? b.begin()[i] * b.begin()[i] : 0.;
+        is_sane = is_sane && std::isfinite(x.begin()[i]);
+      }
+    if (ranks->largest(is_sane ? 0. : 1.) != 0.)
+      x = 0.;
+    SolverControl control(max_iterations,
+                          std::max(tolerance * std::sqrt(ranks->sum(square)),
+                                   1e-300),
+                          false,
+                          false);
+    if (state == Strong::failed)
+      add(conjugate_gradients(A, x, b, jacobi, control));
+    else
+      {
+        add(conjugate_gradients(A, x, b, *strong, control));
+        report.strong_iterations = control.last_step();
+      }
+    return report;
+  }
 
 
   LinearReport
@@ -212,33 +323,19 @@ namespace Waker
     x = 0.;
     LinearReport report;
     // All ranks go the same way.
-    const bool is_symmetric = ranks->largest(A.is_symmetric() ? 0. : 1.) == 0.;
-    if (is_symmetric)
+    if (ranks->largest(A.is_symmetric() ? 0. : 1.) == 0.)
       {
-        ReductionControl control(
-          max_iterations, 1e-300, tolerance, false, false);
-        if (ranks->is_one_rank())
-          report.converged = conjugate_gradients(A, x, b, jacobi, control);
-        else
-          {
-            SharedVector shared_x(*ranks), shared_b(*ranks);
-            shared_x.reinit(x);
-            shared_b.reinit(b, true);
-            // Equations of others, and those that do not exist, have none.
-            const double *const inverse = jacobi.get_vector().begin();
-            for (unsigned int i = 0; i < b.locally_owned_size(); ++i)
-              shared_b.begin()[i] = inverse[i] != 0. ? b.begin()[i] : 0.;
-            report.converged =
-              conjugate_gradients(A, shared_x, shared_b, jacobi, control);
-            x = shared_x;
-          }
-        report.iterations = control.last_step();
+        report = solve_symmetric(A, x, b, tolerance, max_iterations);
         if (report.converged)
           return report;
       }
-    LinearReport last = gmres.solve(A, x, b, tolerance, max_iterations);
-    last.iterations += report.iterations;
-    return last;
+    const bool         is_strong = state == Strong::ready;
+    const LinearReport last      = gmres.solve(
+      A, x, b, tolerance, max_iterations, is_strong ? strong.get() : nullptr);
+    report.converged = last.converged;
+    report.iterations += last.iterations;
+    report.strong_iterations += is_strong ? last.iterations : 0;
+    return report;
   }
 
 

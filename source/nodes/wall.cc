@@ -256,6 +256,35 @@ namespace Waker
 
 
   template <int dim>
+  void
+  Walls<dim>::add_entries(MatrixEntries &entries) const
+  {
+    std::vector<double> matrix;
+    for (const Contact &contact : contacts)
+      {
+        const std::size_t     n      = contact.end - contact.begin;
+        const Tensor<1, dim> &normal = contact.start.normal;
+        const Tensor<2, dim> &D      = contact.derivative;
+        // The blocks of the normal and of the tangential motion, each of which
+        // is symmetric.
+        const Tensor<2, dim> across = outer_product(normal, normal);
+        const Tensor<2, dim> along =
+          Tensor<2, dim>(unit_symmetric_tensor<dim>()) - across;
+        const Tensor<2, dim> k =
+          spots[contact.spot].area * (across * D * across + along * D * along);
+        matrix.clear();
+        for (std::size_t i = contact.begin; i < contact.end; ++i)
+          for (unsigned int c = 0; c < dim; ++c)
+            for (std::size_t j = contact.begin; j < contact.end; ++j)
+              for (unsigned int e = 0; e < dim; ++e)
+                matrix.push_back(weights[i] * weights[j] * k[c][e]);
+        entries.add({nodes.data() + contact.begin, n},
+                    {matrix.data(), matrix.size()});
+      }
+  }
+
+
+  template <int dim>
   ResistanceWork
   Walls<dim>::work(const NodalVector &increment) const
   {

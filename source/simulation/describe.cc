@@ -225,10 +225,20 @@ namespace Waker
       say(log, "  loads     change until t = %g s", the_case.last_load_change);
     if (p.initial_stress.is_gravity_step() &&
         !the_case.gravity_report.residuals.empty())
-      say(log,
-          "  gravity   in-situ stress after %zu solve(s), residual %.1e",
-          the_case.gravity_report.residuals.size() - 1,
-          the_case.gravity_report.residuals.back());
+      {
+        const GravityReport &report = the_case.gravity_report;
+        const std::string    iterations =
+          dim == 2
+               ? ""
+               : ", " + std::to_string(report.linear_iterations) +
+                " iterations, " + std::to_string(report.strong_iterations) +
+                " of them with multigrid";
+        say(log,
+            "  gravity   in-situ stress after %zu solve(s), residual %.1e%s",
+            report.residuals.size() - 1,
+            report.residuals.back(),
+            iterations.c_str());
+      }
     for (const std::string &line : stress_lines(the_case))
       log.line(line);
     const RunSizes sizes = run_sizes(the_case);

@@ -243,6 +243,17 @@ namespace Waker
     for (const std::string &text : fixity_conflicts(the_case.grid, p.fixities))
       warnings.push_back(text);
 
+    unsigned int n_failures = 0;
+    for (const StageReport &stage : the_case.stages)
+      n_failures += stage.gravity.strong_failures +
+                    (stage.balance ? stage.balance->strong_failures : 0);
+    if (n_failures > 0)
+      warnings.push_back(
+        "Initial stress: multigrid could not be set up in " +
+        std::to_string(n_failures) +
+        " solve(s): conjugate gradients went on with the diagonal, which takes "
+        "more iterations to the same result");
+
     const MixedCells &mixed = the_case.gravity_report.mixed_cells;
     if (mixed.ratio >= smallest_ratio)
       {

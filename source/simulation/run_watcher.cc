@@ -208,6 +208,15 @@ namespace Waker
                  std::to_string(realisation.view().report.held_domains) +
                  " points)");
       }
+    if (!levels_failed && realisation.view().report.strong_failures > 0)
+      {
+        levels_failed = true;
+        log.line(
+          "t = " + std::to_string(state.time) +
+          " s: multigrid could not be set up for a static step: "
+          "conjugate gradients go on with the diagonal, which takes more "
+          "iterations to the same result (said once)");
+      }
     if (state.long_steps.motions > long_steps.motions)
       log.line("t = " + std::to_string(state.time - state.last_dt) +
                " s: no balance nearby, from now on it moves");

@@ -46,8 +46,9 @@ namespace Waker
     std::vector<TractionRecord> tractions;
     std::vector<LoadRecord>     loads;
 
-    bool          is_new;       // this moment is not in the files yet
-    bool          held = false; // domains, at the size of a cell
+    bool          is_new;                // this moment is not in the files yet
+    bool          held          = false; // domains, at the size of a cell
+    bool          levels_failed = false; // was multigrid once not set up?
     std::uint64_t unconverged;
     LongSteps     long_steps;
   };

@@ -17,9 +17,10 @@ namespace Waker
     bool         converged  = false;
     double       share      = 0.; // of what was out of balance, carried so far
     unsigned int steps      = 0;
-    unsigned int iterations = 0;  // Newton's, of all attempts
-    double       residual   = 0.; // relative, of the last attempt
-    double       yielding   = 0.; // share of the volume that has yielded
+    unsigned int iterations = 0;      // Newton's, of all attempts
+    double       residual   = 0.;     // relative, of the last attempt
+    double       yielding   = 0.;     // share of the volume that has yielded
+    unsigned int strong_failures = 0; // see NewtonReport
   };
 
   /// Is told of each load step, converged or not.

@@ -58,6 +58,9 @@ namespace Waker
     void
     add_diagonal(NodalVector &diagonal) const override;
 
+    void
+    add_entries(MatrixEntries &entries) const override;
+
     Tensor<1, dim>
     accept(const NodalVector &increment, MaterialPoints<dim> &points) override;
 

@@ -3,7 +3,7 @@
 #define waker_mechanics_gmres_h
 
 #include <waker/grid/node_exchange.h>
-#include <waker/nodes/operator.h>
+#include <waker/mechanics/preconditioner.h>
 
 #include <vector>
 
@@ -14,6 +14,10 @@ namespace Waker
   {
     unsigned int iterations = 0;
     bool         converged  = false;
+    /// Iterations with the stronger preconditioner, of all.
+    unsigned int strong_iterations = 0;
+    /// Was it to be set up, and could not be?
+    bool strong_failed = false;
   };
 
   /**
@@ -40,22 +44,32 @@ namespace Waker
     /// Solve A x = b; x is the best iterate even without convergence, and 0
     /// where there is no equation.
     /// @param tolerance relative reduction of the residual
+    /// @param strong to be used in place of the diagonal, if not null; acts on
+    ///        the same equations
     LinearReport
-    solve(const Operator    &A,
-          NodalVector       &x,
-          const NodalVector &b,
-          const double       tolerance,
-          const unsigned int max_iterations);
+    solve(const Operator             &A,
+          NodalVector                &x,
+          const NodalVector          &b,
+          const double                tolerance,
+          const unsigned int          max_iterations,
+          const Preconditioner *const strong = nullptr);
 
   private:
     /// Iterations before a restart.
     static constexpr unsigned int restart = 38;
 
+    /// to = M^-1 v, 0 where there is no equation
+    void
+    precondition(const std::vector<double>  &v,
+                 const Preconditioner *const strong,
+                 NodalVector                &to);
+
     /// w = A M^-1 v on the equations that exist.
     void
-    product(const Operator            &A,
-            const std::vector<double> &v,
-            std::vector<double>       &w);
+    product(const Operator             &A,
+            const std::vector<double>  &v,
+            const Preconditioner *const strong,
+            std::vector<double>        &w);
 
     /// Take from w what it has of the first `n` basis vectors.
     /// @param h out: how much of each; unchanged are the others
@@ -67,8 +81,8 @@ namespace Waker
     std::vector<unsigned int>        dofs;
     std::vector<double>              preconditioner;
     std::vector<std::vector<double>> basis;
-    std::vector<double>              solution; // M x
-    NodalVector                      src, dst;
+    std::vector<double>              solution;        // M x
+    NodalVector                      src, dst, plain; // the last: strong only
   };
 } // namespace Waker
 

@@ -17,6 +17,9 @@ namespace Waker
     bool                converged = false;
     std::vector<double> residuals; // relative, before and after each iteration
     MixedCells          mixed_cells;
+    // See NewtonReport.
+    unsigned int linear_iterations = 0, strong_iterations = 0,
+                 strong_failures = 0;
   };
 
   /**
@@ -25,9 +28,10 @@ namespace Waker
    * the points' stress; nothing moves.
    *
    * The tangent of the internal force has no stiffness for some motions of
-   * nodes that only one support domain touches: a millionth of its diagonal is
-   * added, and the residual iterated away (LinearMethod::elastic). Cells with
-   * points of two stiffnesses get one of their own: see mixed_cells.h.
+   * nodes that only one support domain touches: a millionth of its diagonal (a
+   * ten-millionth in space) is added, and the residual iterated away
+   * (LinearMethod::elastic). Cells with points of two stiffnesses get one of
+   * their own: see mixed_cells.h.
    *
    * @param nodes in: mass, external_force (weight and water, or a share of
    *        them)

@@ -20,6 +20,9 @@ namespace Waker
     bool         converged         = false;
     unsigned int iterations        = 0; // linear systems solved
     unsigned int linear_iterations = 0;
+    /// Of these with the stronger preconditioner, and how often it could not be
+    /// set up (LinearSolver).
+    unsigned int strong_iterations = 0, strong_failures = 0;
     /// Relative residual before each iteration and after the last.
     std::vector<double> residuals;
   };
@@ -28,7 +31,8 @@ namespace Waker
   enum class LinearMethod
   {
     krylov, // GMRES (conjugate gradients if the tangent is symmetric)
-    direct, // 2D: a factorisation. 3D: conjugate gradients, then GMRES
+    direct, // 2D: a factorisation. 3D: conjugate gradients, then GMRES, with
+            // Multilevel where the diagonal takes long
     elastic // the same, of a linear body: one matrix for all iterations
   };
 

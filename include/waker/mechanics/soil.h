@@ -56,6 +56,10 @@ namespace Waker
     void
     add_diagonal(NodalVector &diagonal) const override;
 
+    /// Of the points, whatever the tangent (add_point_stiffness()).
+    void
+    add_entries(MatrixEntries &entries) const override;
+
     bool
     is_symmetric() const override;
 

@@ -19,6 +19,12 @@ namespace Waker
   /// The materials of a case, by number.
   using Materials = std::vector<std::unique_ptr<Material>>;
 
+  /// Of a tangent: its isotropic part (kPa).
+  struct IsotropicModuli
+  {
+    double bulk, shear;
+  };
+
   /// Give the points the scalars that their materials declare, at their
   /// initial values.
   template <int dim>
@@ -97,6 +103,12 @@ namespace Waker
     material_tangents(const MaterialPoints<dim>          &points,
                       std::vector<SymmetricTensor<4, 3>> &tangents) const;
 
+    /// The isotropic part of each; not less than a thousandth of the elastic
+    /// moduli, so that a stiffness made of it is positive.
+    void
+    isotropic_tangents(const MaterialPoints<dim>    &points,
+                       std::vector<IsotropicModuli> &moduli) const;
+
     /// Are they symmetric, those of all materials?
     bool
     has_symmetric_tangents() const;
@@ -116,6 +128,12 @@ namespace Waker
   private:
     /// Scalars per point that fit on the stack; more is a material's mistake.
     static constexpr unsigned int max_variables = 16;
+
+    /// f(point, material, tangent) for all of them.
+    template <typename Function>
+    void
+    for_each_tangent(const MaterialPoints<dim> &points,
+                     const Function            &f) const;
 
     /// The range that starts with the point `begin`.
     static PointRange

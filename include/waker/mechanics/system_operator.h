@@ -3,12 +3,15 @@
 #define waker_mechanics_system_operator_h
 
 #include <deal.II/lac/diagonal_matrix.h>
+#include <deal.II/lac/solver_control.h>
 
 #include <waker/mechanics/gmres.h>
+#include <waker/mechanics/preconditioner.h>
 #include <waker/nodes/operator.h>
 #include <waker/nodes/reached_nodes.h>
 #include <waker/nodes/resistance.h>
 
+#include <memory>
 #include <vector>
 
 namespace Waker
@@ -42,6 +45,10 @@ namespace Waker
 
     void
     add_diagonal(NodalVector &diagonal) const override;
+
+    /// Of a static step: with the whole of its resistances, without inertia.
+    void
+    add_entries(MatrixEntries &entries) const override;
 
     bool
     is_symmetric() const override;
@@ -88,6 +95,12 @@ namespace Waker
       A.add_diagonal(diagonal);
     }
 
+    void
+    add_entries(MatrixEntries &entries) const override
+    {
+      A.add_entries(entries); // the shift is small
+    }
+
     bool
     is_symmetric() const override
     {
@@ -106,6 +119,14 @@ namespace Waker
    * softening), else by GMRES. `x` holds the best iterate even without
    * convergence.
    *
+   * If there is a stronger preconditioner, it is set up when a system is
+   * expected to take more iterations with the diagonal than the set-up costs,
+   * by its number of equations and the tolerance; or when so many have been
+   * taken, in all systems since prepare(). It serves that system to its end,
+   * and all others until the next prepare(). So they take little more than
+   * twice the time of the better of the two, whatever the body is. If it cannot
+   * be set up, the diagonal goes on.
+   *
    * On several ranks vectors are those of a rank's window, 0 at the nodes of
    * others.
    */
@@ -113,7 +134,10 @@ namespace Waker
   {
   public:
     /// @param ranks that share the nodes
-    LinearSolver(const unsigned int n_dofs, const NodeExchange &ranks);
+    /// @param strong the stronger preconditioner, if any
+    LinearSolver(const unsigned int              n_dofs,
+                 const NodeExchange             &ranks,
+                 std::unique_ptr<Preconditioner> strong = nullptr);
 
     /// Take the preconditioner from this operator's diagonal.
     void
@@ -129,9 +153,39 @@ namespace Waker
           const unsigned int max_iterations);
 
   private:
-    DiagonalMatrix<NodalVector> jacobi;
-    Gmres                       gmres;
-    const NodeExchange         *ranks;
+    /// Conjugate gradients from x; not converged, too, if A turns out not to be
+    /// definite.
+    template <typename M>
+    LinearReport
+    conjugate_gradients(const Operator    &A,
+                        NodalVector       &x,
+                        const NodalVector &b,
+                        const M           &preconditioner,
+                        SolverControl     &control) const;
+
+    /// The part of solve() that takes A for symmetric.
+    LinearReport
+    solve_symmetric(const Operator    &A,
+                    NodalVector       &x,
+                    const NodalVector &b,
+                    const double       tolerance,
+                    const unsigned int max_iterations);
+
+    /// Where the stronger preconditioner is.
+    enum class Strong
+    {
+      later,
+      ready,
+      failed
+    };
+
+    DiagonalMatrix<NodalVector>     jacobi;
+    Gmres                           gmres;
+    const NodeExchange             *ranks;
+    std::unique_ptr<Preconditioner> strong; // or none
+    Strong                          state       = Strong::failed;
+    unsigned int                    n_diagonal  = 0;  // iterations so far
+    double                          n_equations = 0.; // of all ranks
   };
 } // namespace Waker
 

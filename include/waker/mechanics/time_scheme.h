@@ -22,6 +22,8 @@ namespace Waker
     bool                converged         = false;
     unsigned int        newton_iterations = 0;
     unsigned int        linear_iterations = 0;
+    unsigned int        strong_iterations = 0; // see NewtonReport
+    unsigned int        strong_failures   = 0;
     std::vector<double> residuals; // Newton's
 
     double mean_plastic_strain = 0.; // increment, mean over the points

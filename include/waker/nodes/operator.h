@@ -2,6 +2,7 @@
 #ifndef waker_nodes_operator_h
 #define waker_nodes_operator_h
 
+#include <waker/nodes/matrix_entries.h>
 #include <waker/nodes/nodal_vector.h>
 
 namespace Waker
@@ -21,6 +22,14 @@ namespace Waker
     /// diagonal += diag A
     virtual void
     add_diagonal(NodalVector &diagonal) const = 0;
+
+    /// entries += a matrix near A, symmetric and not negative: what a
+    /// preconditioner is made of. By default the diagonal.
+    virtual void
+    add_entries(MatrixEntries &entries) const
+    {
+      entries.add_diagonal_of(*this);
+    }
 
     /// Whether A is symmetric: conjugate gradients, or GMRES.
     virtual bool

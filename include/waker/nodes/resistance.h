@@ -2,6 +2,7 @@
 #ifndef waker_nodes_resistance_h
 #define waker_nodes_resistance_h
 
+#include <waker/nodes/matrix_entries.h>
 #include <waker/nodes/nodal_state.h>
 #include <waker/particles/material_points.h>
 
@@ -95,6 +96,15 @@ namespace Waker
     /// diagonal += diag K
     virtual void
     add_diagonal(NodalVector &diagonal) const = 0;
+
+    /// entries += a matrix near K, symmetric and not negative: what a
+    /// preconditioner of a static step in space is made of. The nearer, the
+    /// fewer iterations; the solution is the same. By default the diagonal.
+    virtual void
+    add_entries(MatrixEntries &entries) const
+    {
+      entries.add_diagonal_of(*this);
+    }
 
     virtual bool
     is_symmetric() const

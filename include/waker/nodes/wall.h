@@ -170,6 +170,10 @@ namespace Waker
     void
     add_diagonal(NodalVector &diagonal) const override;
 
+    /// Of what slides without what the pressure adds to friction.
+    void
+    add_entries(MatrixEntries &entries) const override;
+
     /// Take the tractions at the end of a step.
     Tensor<1, dim>
     accept(const NodalVector &increment, MaterialPoints<dim> &points) override;
