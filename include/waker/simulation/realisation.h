@@ -106,7 +106,7 @@ namespace Waker
 
     /// Those that this rank computes.
     MaterialPoints<dim> &
-    own_points()
+    own_points() const
     {
       return part ? part->points() : state->points;
     }
