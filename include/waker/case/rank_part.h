@@ -74,7 +74,7 @@ namespace Waker
     body()
     {
       return Body<dim>(exchange.own(),
-                       grid->exchange(),
+                       grid,
                        [this]() -> const MaterialPoints<dim> & {
                          return know_places();
                        });
@@ -120,7 +120,7 @@ namespace Waker
     }
 
     // Of this rank; balance() makes new ones.
-    std::unique_ptr<const BackgroundGrid<dim>> grid;
+    std::shared_ptr<const BackgroundGrid<dim>> grid;
     std::unique_ptr<const Fixities<dim>>       fixities;
     std::unique_ptr<Weights<dim>>              weights;
     std::unique_ptr<NodalState>                nodes;
