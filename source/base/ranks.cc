@@ -16,6 +16,20 @@ namespace Waker
   }
 
 
+  unsigned int
+  n_ranks_here(const MPI_Comm communicator)
+  {
+    if (n_ranks(communicator) == 1)
+      return 1;
+    MPI_Comm machine;
+    MPI_Comm_split_type(
+      communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
+    const unsigned int n = Utilities::MPI::n_mpi_processes(machine);
+    MPI_Comm_free(&machine);
+    return n;
+  }
+
+
   bool
   is_first_rank(const MPI_Comm communicator)
   {

@@ -172,6 +172,7 @@ namespace Waker
       std::accumulate(n_out.begin(), n_out.end(), 0ull);
     MPI_Allreduce(
       MPI_IN_PLACE, &n_moved, 1, MPI_UNSIGNED_LONG_LONG, MPI_SUM, communicator);
+    ++sent.reductions;
     if (n_moved == 0)
       return 0;
     MPI_Alltoall(
@@ -225,6 +226,10 @@ namespace Waker
                   begin_in.data(),
                   point.type,
                   communicator);
+    sent.reductions += 4; // as these collectives take as long
+    sent.bytes += to_send.size();
+    for (const int points_out : n_out)
+      sent.messages += points_out > 0 ? 1 : 0;
     const std::size_t n_received = begin_in.back();
     for (Bytes &array : arrays)
       array.data = array.resize(n + n_received);
@@ -278,6 +283,8 @@ namespace Waker
         const std::size_t size = to[k].size;
         const Counted     value(size);
         received.resize(size * there.size());
+        ++sent.reductions;
+        sent.bytes += size * points.n_points();
         MPI_Allgatherv(from[k].data,
                        my_n,
                        value.type,

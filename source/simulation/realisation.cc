@@ -278,14 +278,6 @@ namespace Waker
 
 
   template <int dim>
-  double
-  Realisation<dim>::next_time_step() const
-  {
-    return control.next(wanted_step());
-  }
-
-
-  template <int dim>
   StepView<dim>
   Realisation<dim>::view() const
   {

@@ -191,6 +191,21 @@ def refusals(make, check):
               error.strip().replace("\n", " | ")[:250])
 
 
+def once_for_all(waker, work, check):
+    """What only the first rank could do, or all would repeat."""
+    def call(*words, text=""):
+        return subprocess.run(["mpirun", "-n", "2", waker, *words], input=text,
+                              env=ranks.ENVIRONMENT, capture_output=True,
+                              text=True, timeout=60)
+    done = call("run", "-", "--set", "Output/Directory=" + os.path.join(work, "-"),
+                text="set Dimension = 2\n")
+    check(done.returncode == 2 and done.stderr.count("allowed: ") == 1
+          and "standard input" in done.stderr, "refused once: -", done.stderr[:200])
+    done = call("--version")
+    check(done.returncode == 0 and done.stdout.count("aker") == 1,
+          "one version", done.stdout)
+
+
 def main():
     waker, source = sys.argv[1:3]
     check = Checks()
@@ -229,6 +244,7 @@ def main():
         snapshots_are_whole(make, check)
         all_fail(make, check)
         refusals(make, check)
+        once_for_all(waker, folder, check)
     check.exit()
 
 

@@ -15,6 +15,10 @@ namespace Waker
   unsigned int
   n_ranks(const MPI_Comm communicator);
 
+  /// Those of them that share this machine. Collective.
+  unsigned int
+  n_ranks_here(const MPI_Comm communicator);
+
   bool
   is_first_rank(const MPI_Comm communicator);
 

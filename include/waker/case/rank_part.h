@@ -104,11 +104,12 @@ namespace Waker
     void
     complete(NodalState &nodes);
 
-    /// What this rank has sent so far: of nodes.
+    /// What this rank has sent so far.
     NodeExchange::Traffic
     traffic() const
     {
       NodeExchange::Traffic sum = sent_before;
+      sum += exchange.traffic();
       sum += grid->exchange().traffic();
       return sum;
     }

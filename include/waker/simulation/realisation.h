@@ -69,10 +69,6 @@ namespace Waker
     bool
     any(const bool one_does) const;
 
-    /// The step that advance() would take next (s).
-    double
-    next_time_step() const;
-
   private:
     /// The step, not converged if it is a long one that cannot be solved.
     StepReport<dim>
