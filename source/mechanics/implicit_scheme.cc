@@ -38,20 +38,11 @@ namespace Waker
     move_nodes(dt, nodes);
 
     StepReport<dim> report;
-    report.converged         = solved.converged && stays(nodes.increment);
+    report.converged         = solved.converged;
     report.newton_iterations = solved.iterations;
     report.linear_iterations = solved.linear_iterations;
     report.residuals         = solved.residuals;
     return report;
-  }
-
-
-  template <int dim>
-  bool
-  ImplicitScheme<dim>::stays(const NodalVector &increment) const
-  {
-    const double size = in.grid.upper_corner().distance(in.grid.lower_corner());
-    return in.grid.exchange().largest(increment.linfty_norm()) <= size;
   }
 
 

@@ -86,11 +86,6 @@ namespace Waker
     std::vector<double>    removed_increments;
 
   private:
-    /// Does no node go further than the grid is long? One with hardly a mass
-    /// may: the residual does not see it, but the loads on it do work.
-    bool
-    stays(const NodalVector &increment) const;
-
     HeldSoil<dim>     held;
     NewtonSolver<dim> newton;
   };
