@@ -2,6 +2,7 @@
 #include <waker/base/errors.h>
 #include <waker/base/hash.h>
 #include <waker/base/log.h>
+#include <waker/base/ranks.h>
 #include <waker/base/sizes.h>
 #include <waker/campaign/campaign_folder.h>
 #include <waker/campaign/campaign_text.h>
@@ -137,11 +138,7 @@ namespace Waker
     void
     check_memory_of_ranks(const double memory, const MPI_Comm communicator)
     {
-      MPI_Comm machine;
-      MPI_Comm_split_type(
-        communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
-      const unsigned int n = Utilities::MPI::n_mpi_processes(machine);
-      MPI_Comm_free(&machine);
+      const unsigned int n = n_ranks_here(communicator);
       require_memory("command line",
                      "started on " + std::to_string(n) +
                        " ranks on this machine",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
 #include <waker/base/random_numbers.h>
+#include <waker/base/ranks.h>
 #include <waker/base/sizes.h>
 #include <waker/campaign/random_properties.h>
 #include <waker/case/initial_stress.h>
@@ -131,7 +132,13 @@ namespace Waker
         value,
         variance);
     };
-    fields = std::make_unique<RandomFields>(parameters, lattices, score);
+    const MPI_Comm ranks = the_case.grid.communicator();
+    first_rank_does(ranks, [&]() {
+      fields = std::make_unique<RandomFields>(parameters, lattices, score);
+    });
+    if (!fields)
+      fields =
+        std::make_unique<RandomFields>(parameters, lattices, score, false);
   }
 
 
@@ -196,7 +203,17 @@ namespace Waker
   {
     if (fields == nullptr)
       return;
-    fields->generate(noise, scores, averages);
+    const MPI_Comm ranks = the_case->grid.communicator();
+    if (is_first_rank(ranks))
+      fields->generate(noise, scores, averages);
+    scores.resize(fields->n_fields());
+    averages.resize(fields->n_fields());
+    for (unsigned int f = 0; f < fields->n_fields(); ++f)
+      {
+        scores[f].resize(fields->lattice(f).n());
+        share(ranks, scores[f]);
+      }
+    share(ranks, averages);
     set(true, state);
   }
 

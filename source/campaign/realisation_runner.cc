@@ -79,7 +79,8 @@ namespace Waker
       bool
       wants_all() override
       {
-        return is_due = keeper.is_due(state.time, false);
+        is_due = keeper.is_due(state.time, false);
+        return is_due || is_first_look_due();
       }
 
       void
@@ -88,8 +89,7 @@ namespace Waker
         const FailureRecord &failure = state.failure;
         so_far.tracer.add(state.time, failure.geometry);
         if (!so_far.has_seen_slide && failure.failed() &&
-            (stop != StopReason::none ||
-             state.time >= failure.time_of(FailureReading::any) + first_look))
+            (stop != StopReason::none || is_first_look_due()))
           {
             so_far.has_seen_slide = true;
             so_far.record.first_inward =
@@ -110,6 +110,15 @@ namespace Waker
       }
 
     private:
+      /// At what has moved some time after the first slide.
+      bool
+      is_first_look_due() const
+      {
+        return !so_far.has_seen_slide && state.failure.failed() &&
+               state.time >=
+                 state.failure.time_of(FailureReading::any) + first_look;
+      }
+
       const bool              inner_is_positive;
       const State<dim>       &state;
       Unfinished             &so_far;
@@ -167,6 +176,7 @@ namespace Waker
       {
         record.outcome     = Outcome::numerical_failure;
         record.stop_reason = failure.what();
+        realisation.complete(); // to be measured
       }
 
     static_cast<FailureEvents &>(record) = state.failure;

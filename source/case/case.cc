@@ -2,6 +2,7 @@
 #include <waker/base/errors.h>
 #include <waker/base/host.h>
 #include <waker/base/numbers.h>
+#include <waker/base/ranks.h>
 #include <waker/base/text.h>
 #include <waker/case/case.h>
 #include <waker/case/initial_properties.h>
@@ -170,7 +171,7 @@ namespace Waker
     pore_water.record(initial_points, WaterLevel(p.water).at(0.));
     prepare_domains(p.mapping.domains, initial_points);
     programmes.prepare(p, initial_points);
-    check_run_sizes(run_sizes(*this), p);
+    check_run_sizes(run_sizes(*this), p, n_ranks_here(grid.communicator()));
     if constexpr (dim == 3)
       if (!p.surface.is_of_section(dim))
         sections = dyke_sections(grid, initial_points);

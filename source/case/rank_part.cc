@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/ranks.h>
 #include <waker/case/rank_part.h>
 #include <waker/mapping/transfer.h>
 
@@ -161,10 +162,7 @@ namespace Waker
   bool
   has_several_ranks(const Case<dim> &the_case)
   {
-    int is_used = 0;
-    MPI_Initialized(&is_used);
-    return is_used != 0 &&
-           Utilities::MPI::n_mpi_processes(the_case.grid.communicator()) > 1;
+    return n_ranks(the_case.grid.communicator()) > 1;
   }
 
 

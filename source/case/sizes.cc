@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/ranks.h>
 #include <waker/base/sizes.h>
 #include <waker/case/sizes.h>
 #include <waker/mechanics/time_scheme.h>
@@ -51,10 +52,11 @@ namespace Waker
 
   template <int dim>
   RunSizes
-  run_sizes(const Parameters &parameters,
-            const Materials  &materials,
-            const std::size_t n_points,
-            const std::size_t n_nodes)
+  run_sizes(const Parameters  &parameters,
+            const Materials   &materials,
+            const std::size_t  n_points,
+            const std::size_t  n_nodes,
+            const unsigned int n_ranks)
   {
     const TimeParameters   &time   = parameters.time;
     const OutputParameters &output = parameters.output;
@@ -82,12 +84,17 @@ namespace Waker
       per_step += 20.;
     sizes.computing = 1e-6 * per_step * n_points * sizes.steps;
 
-    const double per_point =
-      8. * (4 + 7 * dim + 2 * 6 + 8 + 6 * dim) +
-      8. * (dim * (dim + 1) / 2 + 1) * (dim * dim + 1); // a point's tangent
+    // Its arrays, weights and tangent; and, which each rank has, the points at
+    // the start, as they are, and on their way into a file.
+    const double of_arrays = 8. * (4 + 7 * dim + 2 * 6 + 8);
+    const double per_point = of_arrays + 8. * 6 * dim +
+                             8. * (dim * (dim + 1) / 2 + 1) * (dim * dim + 1);
     const double per_node = 8. * (2 + 20 * dim);
-    sizes.memory          = per_point * n_points + per_node * n_nodes +
-                   solver_memory<dim>(parameters, n_points, n_nodes);
+    sizes.memory          = (per_point * n_points + per_node * n_nodes +
+                    solver_memory<dim>(parameters, n_points, n_nodes)) /
+                     n_ranks +
+                   (dim == 3 || n_ranks > 1 ? 3. * of_arrays : 0.) * n_points +
+                   (n_ranks > 1 ? per_node : 0.) * n_nodes;
 
     sizes.snapshots =
       output.interval > 0.
@@ -110,12 +117,15 @@ namespace Waker
     return run_sizes<dim>(the_case.parameters,
                           the_case.materials,
                           the_case.initial_points.n_points(),
-                          the_case.grid.n_nodes());
+                          the_case.grid.n_nodes(),
+                          n_ranks(the_case.grid.communicator()));
   }
 
 
   void
-  check_run_sizes(const RunSizes &sizes, const Parameters &parameters)
+  check_run_sizes(const RunSizes    &sizes,
+                  const Parameters  &parameters,
+                  const unsigned int n_here)
   {
     const bool chosen = scheme_traits(parameters.time).is_implicit;
     checked_count(chosen ? "Time stepping/Time step" : "Time stepping/End time",
@@ -131,9 +141,11 @@ namespace Waker
                   "a longer interval");
     std::ostringstream what;
     what << "is " << parameters.grid.cell_size << " m";
+    if (n_here > 1)
+      what << ", on " << n_here << " ranks of this machine";
     require_memory("Grid/Cell size",
                    what.str(),
-                   sizes.memory,
+                   n_here * sizes.memory,
                    "larger cells, a smaller box, or fewer material points");
   }
 
@@ -142,12 +154,14 @@ namespace Waker
   run_sizes<2>(const Parameters &,
                const Materials &,
                const std::size_t,
-               const std::size_t);
+               const std::size_t,
+               const unsigned int);
   template RunSizes
   run_sizes<3>(const Parameters &,
                const Materials &,
                const std::size_t,
-               const std::size_t);
+               const std::size_t,
+               const unsigned int);
   template RunSizes
   run_sizes(const Case<2> &);
   template RunSizes

@@ -7,10 +7,12 @@
 
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
+#include <boost/iostreams/device/array.hpp>
+#include <boost/iostreams/device/back_inserter.hpp>
+#include <boost/iostreams/stream.hpp>
 #include <boost/serialization/binary_object.hpp>
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
-#include <sstream>
 #include <stdexcept>
 
 namespace Waker
@@ -72,11 +74,23 @@ namespace Waker
   std::string
   State<dim>::write() const
   {
-    std::ostringstream              bytes;
-    boost::archive::binary_oarchive archive(bytes);
-    // Boost's archives write through a reference that is not const.
-    all(archive, const_cast<State<dim> &>(*this));
-    return bytes.str();
+    std::size_t n_bytes = 1 << 16; // and a little more
+    MaterialPoints<dim>::for_each_array(points,
+                                        [&](const char *, const auto &values) {
+                                          n_bytes +=
+                                            sizeof(values[0]) * values.size();
+                                        });
+    std::string bytes; // there once, however many points there are
+    bytes.reserve(n_bytes);
+    {
+      boost::iostreams::stream<
+        boost::iostreams::back_insert_device<std::string>>
+                                      stream(bytes);
+      boost::archive::binary_oarchive archive(stream);
+      // Boost's archives write through a reference that is not const.
+      all(archive, const_cast<State<dim> &>(*this));
+    }
+    return bytes;
   }
 
 
@@ -84,7 +98,8 @@ namespace Waker
   void
   State<dim>::read(const std::string &bytes)
   {
-    std::istringstream              stream(bytes);
+    boost::iostreams::stream<boost::iostreams::array_source> stream(
+      bytes.data(), bytes.size());
     boost::archive::binary_iarchive archive(stream);
     all(archive, *this);
   }

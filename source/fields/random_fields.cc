@@ -72,7 +72,8 @@ namespace Waker
 
   RandomFields::RandomFields(const RandomFieldsParameters    &parameters,
                              const std::vector<FieldLattice> &lattices,
-                             const Score                     &score)
+                             const Score                     &score,
+                             const bool                       generates)
   {
     const std::size_t n = parameters.fields.size();
     for (std::size_t f = 0; f < n; ++f)
@@ -96,14 +97,14 @@ namespace Waker
         field.average  = std::sqrt(of_average);
         field.variance = of_average + of_field;
         field.scales   = p.scales;
-        if (is_local)
+        if (is_local && generates)
           {
             field.generator =
               make_field_generator(p.generator, lattices[f], correlation, path);
             total_noise += field.generator->n_noise();
           }
 
-        if (!p.measurements.empty())
+        if (!p.measurements.empty() && generates)
           {
             std::vector<MeasuredScore> measured;
             for (const Measurement &m :
@@ -123,8 +124,9 @@ namespace Waker
         fields.push_back(std::move(field));
       }
     // The averages come last: with and without them the fields are the same.
-    for (const Field &field : fields)
-      total_noise += field.average > 0. ? 1 : 0;
+    if (generates)
+      for (const Field &field : fields)
+        total_noise += field.average > 0. ? 1 : 0;
 
     mixing = mixing_matrix(parameters.correlation_matrix(), n);
     for (std::size_t i = 0; i < n; ++i)

@@ -263,6 +263,38 @@ namespace Waker
     MPI_Allreduce(
       MPI_IN_PLACE, numbers, n, MPI_DOUBLE, MPI_SUM, mpi_communicator);
     ++sent.reductions;
+    sent.bytes += n * sizeof(double);
+  }
+
+
+  void
+  NodeExchange::gather_values(
+    const std::size_t                           size,
+    const void *const                           mine,
+    const std::size_t                           n_mine,
+    const std::function<void *(std::size_t n)> &make_room) const
+  {
+    const int        my_n = static_cast<int>(n_mine);
+    std::vector<int> n(Utilities::MPI::n_mpi_processes(mpi_communicator));
+    MPI_Allgather(&my_n, 1, MPI_INT, n.data(), 1, MPI_INT, mpi_communicator);
+    std::vector<int> begin(n.size() + 1, 0);
+    std::partial_sum(n.begin(), n.end(), begin.begin() + 1);
+    // MPI counts values, not bytes, of which there may be more than an int
+    // holds.
+    MPI_Datatype value;
+    MPI_Type_contiguous(static_cast<int>(size), MPI_BYTE, &value);
+    MPI_Type_commit(&value);
+    MPI_Allgatherv(mine,
+                   my_n,
+                   value,
+                   make_room(begin.back()),
+                   n.data(),
+                   begin.data(),
+                   value,
+                   mpi_communicator);
+    MPI_Type_free(&value);
+    sent.reductions += 2;
+    sent.bytes += n_mine * size;
   }
 
 

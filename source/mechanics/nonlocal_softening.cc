@@ -33,9 +33,9 @@ namespace Waker
                                  const std::vector<double> &increments,
                                  const unsigned int         material)
   {
-    // Of each point: place, volume, increment, and its id and own place as
-    // doubles, which hold integers up to 2^53.
-    constexpr unsigned int n_numbers = dim + 4;
+    // Of each point: place, volume, increment, and its id, rank and own place
+    // as doubles, which hold integers up to 2^53.
+    constexpr unsigned int n_numbers = dim + 5;
     std::vector<double>    mine;
     const double rank = Utilities::MPI::this_mpi_process(ranks.communicator());
     for (std::size_t p = 0; p < points.n_points(); ++p)
@@ -46,16 +46,14 @@ namespace Waker
           for (const double number : {points.volume[p],
                                       increments[p],
                                       static_cast<double>(points.id[p]),
+                                      rank,
                                       static_cast<double>(p)})
             mine.push_back(number);
         }
-    std::vector<std::array<double, 3>> order; // id, rank, begin
-    const auto parts = Utilities::MPI::all_gather(ranks.communicator(), mine);
-    for (std::size_t r = 0; r < parts.size(); ++r)
-      for (std::size_t k = 0; k < parts[r].size(); k += n_numbers)
-        order.push_back({{parts[r][k + dim + 2],
-                          static_cast<double>(r),
-                          static_cast<double>(k)}});
+    const std::vector<double>                   all = ranks.all_gather(mine);
+    std::vector<std::pair<double, std::size_t>> order; // id, begin
+    for (std::size_t k = 0; k < all.size(); k += n_numbers)
+      order.emplace_back(all[k + dim + 2], k);
     std::sort(order.begin(), order.end());
 
     const std::size_t n = order.size();
@@ -65,15 +63,14 @@ namespace Waker
     around.place.resize(n);
     for (std::size_t i = 0; i < n; ++i)
       {
-        const auto          r = static_cast<std::size_t>(order[i][1]);
-        const double *const numbers =
-          parts[r].data() + static_cast<std::size_t>(order[i][2]);
+        const double *const numbers = all.data() + order[i].second;
         for (unsigned int d = 0; d < dim; ++d)
           around.position[i][d] = numbers[d];
         around.volume[i]    = numbers[dim];
         around.increment[i] = numbers[dim + 1];
-        around.place[i] =
-          r == rank ? static_cast<std::uint32_t>(numbers[dim + 3]) : not_here;
+        around.place[i]     = numbers[dim + 3] == rank
+                                ? static_cast<std::uint32_t>(numbers[dim + 4])
+                                : not_here;
       }
   }
 

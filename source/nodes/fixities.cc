@@ -183,7 +183,8 @@ namespace Waker
                                          grid.node_position(dof / dim)});
           penalty_dofs.push_back({dof, penalty_factors[dof]});
         }
-    moves = !motion->removed.empty() || !motion->penalised.empty();
+    penalties_exist = !penalty_dofs.empty();
+    moves           = !motion->removed.empty() || !motion->penalised.empty();
 
     closed_face_bits   = (1u << (2 * dim)) - 1;
     unsigned int holds = 0; // faces with a node at rest
@@ -228,6 +229,7 @@ namespace Waker
                           const BackgroundGrid<dim> &whole_grid,
                           const BackgroundGrid<dim> &window)
     : removed_dofs(window.n_dofs(), 0)
+    , penalties_exist(whole.penalties_exist)
     , moves(whole.moves)
     , closed_face_bits(whole.closed_face_bits)
     , motion(std::make_unique<Motion>(whole.motion->shared))

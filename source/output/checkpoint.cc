@@ -136,19 +136,19 @@ namespace Waker
   {
     make_folder(std::filesystem::path(slot_path(next_slot)).parent_path());
 
-    std::string payload;
-    payload.reserve(blob.size() + 256);
-    append_number(payload, step);
-    append_text(payload, case_hash);
-    append_text(payload, "waker " WAKER_VERSION " " WAKER_BUILD_TYPE);
-    append_text(payload, blob);
-
+    const std::string   program   = "waker " WAKER_VERSION " " WAKER_BUILD_TYPE;
+    const std::uint64_t n_payload = 4 * sizeof(std::uint64_t) +
+                                    case_hash.size() + program.size() +
+                                    blob.size();
     std::string file = magic;
-    file.reserve(payload.size() + payload_at);
+    file.reserve(payload_at + n_payload);
     append_number(file, Checkpoint::schema_version);
     append_number(file, std::uint32_t{0});
-    append_number(file, static_cast<std::uint64_t>(payload.size()));
-    file += payload;
+    append_number(file, n_payload);
+    append_number(file, step);
+    append_text(file, case_hash);
+    append_text(file, program);
+    append_text(file, blob);
     std::string crc;
     append_number(crc, checksum(file));
     file.replace(crc_at, crc.size(), crc);

@@ -96,20 +96,28 @@ namespace Waker
     }
 
 
-    /// Numbers of bytes, as MPI wants them.
-    std::vector<int>
-    times(const std::vector<int> &n, const std::size_t size)
+    /// A value, or all of a point, as MPI counts it: so that its counts, which
+    /// are int, are those of points and not of bytes.
+    class Counted
     {
-      std::vector<int> result;
-      for (const int count : n)
-        {
-          AssertThrow(count * size < 2147483648u,
-                      ExcMessage(
-                        "a message to another rank of more than 2 GB"));
-          result.push_back(count * size);
-        }
-      return result;
-    }
+    public:
+      explicit Counted(const std::size_t n_bytes)
+      {
+        MPI_Type_contiguous(static_cast<int>(n_bytes), MPI_BYTE, &type);
+        MPI_Type_commit(&type);
+      }
+
+      Counted(const Counted &) = delete;
+      Counted &
+      operator=(const Counted &) = delete;
+
+      ~Counted()
+      {
+        MPI_Type_free(&type);
+      }
+
+      MPI_Datatype type;
+    };
 
 
     std::vector<int>
@@ -164,6 +172,7 @@ namespace Waker
       std::accumulate(n_out.begin(), n_out.end(), 0ull);
     MPI_Allreduce(
       MPI_IN_PLACE, &n_moved, 1, MPI_UNSIGNED_LONG_LONG, MPI_SUM, communicator);
+    ++sent.reductions;
     if (n_moved == 0)
       return 0;
     MPI_Alltoall(
@@ -179,10 +188,9 @@ namespace Waker
     std::vector<Bytes> arrays = bytes_of_points(points, used);
     arrays.push_back(bytes_of(places));
     const std::size_t      size      = bytes_per_point(arrays);
-    const std::vector<int> out       = times(n_out, size);
-    const std::vector<int> in        = times(n_in, size);
-    const std::vector<int> begin_out = offsets(out), begin_in = offsets(in);
-    std::vector<char>      to_send(begin_out.back()), received(begin_in.back());
+    const std::vector<int> begin_out = offsets(n_out), begin_in = offsets(n_in);
+    std::vector<char>      to_send(size * begin_out.back());
+    std::vector<char>      received(size * begin_in.back());
 
     // Of each leaving point all arrays; those that stay close the gaps.
     std::vector<int> next = begin_out;
@@ -190,13 +198,14 @@ namespace Waker
     for (std::size_t p = 0; p < to.size(); ++p)
       {
         if (to[p] != rank)
-          for (const Bytes &array : arrays)
-            {
-              std::memcpy(to_send.data() + next[to[p]],
-                          array.data + p * array.size,
-                          array.size);
-              next[to[p]] += array.size;
-            }
+          {
+            char *place = to_send.data() + size * next[to[p]]++;
+            for (const Bytes &array : arrays)
+              {
+                std::memcpy(place, array.data + p * array.size, array.size);
+                place += array.size;
+              }
+          }
         else
           {
             if (n != p)
@@ -207,16 +216,21 @@ namespace Waker
             ++n;
           }
       }
+    const Counted point(size);
     MPI_Alltoallv(to_send.data(),
-                  out.data(),
+                  n_out.data(),
                   begin_out.data(),
-                  MPI_BYTE,
+                  point.type,
                   received.data(),
-                  in.data(),
+                  n_in.data(),
                   begin_in.data(),
-                  MPI_BYTE,
+                  point.type,
                   communicator);
-    const std::size_t n_received = received.size() / size;
+    sent.reductions += 4; // as these collectives take as long
+    sent.bytes += to_send.size();
+    for (const int points_out : n_out)
+      sent.messages += points_out > 0 ? 1 : 0;
+    const std::size_t n_received = begin_in.back();
     for (Bytes &array : arrays)
       array.data = array.resize(n + n_received);
     const char *from = received.data();
@@ -245,47 +259,44 @@ namespace Waker
     // To be read only.
     auto                    &mine = const_cast<MaterialPoints<dim> &>(points);
     const std::vector<bool>  used = arrays_named(whole, names);
-    std::vector<Bytes>       from = bytes_of_points(mine, used);
+    const std::vector<Bytes> from = bytes_of_points(mine, used);
     const std::vector<Bytes> to   = bytes_of_points(whole, used);
-    from.push_back(bytes_of(const_cast<std::vector<std::uint32_t> &>(places)));
-    const std::size_t size = bytes_per_point(from);
 
-    const std::size_t n = points.n_points();
-    std::vector<int>  all_n(n_ranks);
-    const int         my_n = n;
+    const int        my_n = points.n_points();
+    std::vector<int> all_n(n_ranks);
     MPI_Allgather(&my_n, 1, MPI_INT, all_n.data(), 1, MPI_INT, communicator);
-    const std::vector<int> in = times(all_n, size), begin_in = offsets(in);
-    // Array after array.
-    std::vector<char> to_send(n * size), received(begin_in.back());
-    char             *next = to_send.data();
-    for (const Bytes &array : from)
-      {
-        std::memcpy(next, array.data, n * array.size);
-        next += n * array.size;
-      }
-    MPI_Allgatherv(to_send.data(),
-                   to_send.size(),
-                   MPI_BYTE,
-                   received.data(),
-                   in.data(),
-                   begin_in.data(),
-                   MPI_BYTE,
+    const std::vector<int>     begin = offsets(all_n);
+    std::vector<std::uint32_t> there(begin.back());
+    MPI_Allgatherv(places.data(),
+                   my_n,
+                   MPI_UINT32_T,
+                   there.data(),
+                   all_n.data(),
+                   begin.data(),
+                   MPI_UINT32_T,
                    communicator);
-    std::vector<std::uint32_t> there;
-    for (unsigned int r = 0; r < n_ranks; ++r)
+
+    // Array after array: what waits to be put in its place is never much.
+    std::vector<char> received;
+    for (std::size_t k = 0; k < to.size(); ++k)
       {
-        const char *const block = received.data() + begin_in[r];
-        there.resize(all_n[r]);
-        std::memcpy(there.data(),
-                    block + all_n[r] * (size - sizeof(std::uint32_t)),
-                    all_n[r] * sizeof(std::uint32_t));
-        const char *value = block;
-        for (const Bytes &array : to)
-          for (const std::uint32_t p : there)
-            {
-              std::memcpy(array.data + p * array.size, value, array.size);
-              value += array.size;
-            }
+        const std::size_t size = to[k].size;
+        const Counted     value(size);
+        received.resize(size * there.size());
+        ++sent.reductions;
+        sent.bytes += size * points.n_points();
+        MPI_Allgatherv(from[k].data,
+                       my_n,
+                       value.type,
+                       received.data(),
+                       all_n.data(),
+                       begin.data(),
+                       value.type,
+                       communicator);
+        for (std::size_t p = 0; p < there.size(); ++p)
+          std::memcpy(to[k].data + there[p] * size,
+                      received.data() + p * size,
+                      size);
       }
   }
 

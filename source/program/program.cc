@@ -16,6 +16,7 @@
 
 #include <chrono>
 #include <cstdlib>
+#include <initializer_list>
 #include <iostream>
 #include <thread>
 
@@ -23,6 +24,40 @@ namespace Waker
 {
   namespace
   {
+    /// What Open MPI, PMIx or PMI say to a process that they have started;
+    /// 0 if it is alone.
+    int
+    from_launcher(const std::initializer_list<const char *> names)
+    {
+      for (const char *const name : names)
+        if (const char *const value = std::getenv(name))
+          return std::atoi(value);
+      return 0;
+    }
+
+
+    /// Before MPI is started.
+    int
+    rank_of_launcher()
+    {
+      return from_launcher({"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"});
+    }
+
+
+    /// Of several ranks the first one alone gets what is typed, or piped.
+    void
+    check_input_for_ranks(const CommandLine &line)
+    {
+      if (line.file == "-" &&
+          (rank_of_launcher() > 0 ||
+           from_launcher({"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) > 1))
+        throw UserError("command line",
+                        "\"-\" on several ranks: standard input reaches the "
+                        "first of them only",
+                        "the name of a file that all of them can read");
+    }
+
+
     /// Look at a campaign's folder: needs neither MPI nor a simulation.
     int
     read_campaign(const CommandLine &line)
@@ -59,6 +94,13 @@ namespace Waker
     int
     run_command(const CommandLine &line, char **argv)
     {
+      const bool computes = line.command == Command::run ||
+                            line.command == Command::strength_reduction ||
+                            line.command == Command::campaign;
+      // Once is enough.
+      if (!computes && rank_of_launcher() > 0)
+        return success;
+      check_input_for_ranks(line);
       switch (line.command)
         {
           case Command::none:
@@ -85,15 +127,8 @@ namespace Waker
     void
     wait_for_first_rank()
     {
-      // Of Open MPI, PMIx and PMI.
-      for (const char *const name :
-           {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"})
-        if (const char *const rank = std::getenv(name))
-          {
-            if (std::atoi(rank) > 0)
-              std::this_thread::sleep_for(std::chrono::seconds(5));
-            return;
-          }
+      if (rank_of_launcher() > 0)
+        std::this_thread::sleep_for(std::chrono::seconds(5));
     }
 
 

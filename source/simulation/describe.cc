@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/log.h>
+#include <waker/base/ranks.h>
 #include <waker/base/sizes.h>
 #include <waker/base/version.h>
 #include <waker/case/sizes.h>
@@ -242,13 +243,15 @@ namespace Waker
     for (const std::string &line : stress_lines(the_case))
       log.line(line);
     const RunSizes sizes = run_sizes(the_case);
-    log.line(std::string("  effort    ") +
-             (scheme_traits(p.time).has_long_steps ? "at least " : "up to ") +
-             count_text(sizes.steps) + " steps: about " +
-             rough_duration_text(sizes.computing) +
-             " of computing, several times that where soil flows, " +
-             bytes_text(sizes.memory) + " of memory, " +
-             bytes_text(sizes.disk) + " of files");
+    log.line(
+      std::string("  effort    ") +
+      (scheme_traits(p.time).has_long_steps ? "at least " : "up to ") +
+      count_text(sizes.steps) + " steps: about " +
+      rough_duration_text(sizes.computing) +
+      " of computing, several times that where soil flows, " +
+      bytes_text(sizes.memory) + " of memory" +
+      (n_ranks(the_case.grid.communicator()) > 1 ? " on each rank" : "") +
+      ", " + bytes_text(sizes.disk) + " of files");
     for (const std::string &text : strange_things(the_case))
       log.warning(text);
   }

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <stdexcept>
 #include <string>
 
 namespace Waker
@@ -101,16 +100,10 @@ namespace Waker
       {
         return scheme().solve(own_points(), t, dt, nodes);
       }
-    catch (const NumericalFailure &failure)
+    catch (const NumericalFailure &)
       {
-        // What the ranks see together is seen elsewhere. The others know
-        // nothing of this, and wait: only an end of all of them is left.
-        if (part)
-          throw std::runtime_error(
-            "on one of several ranks: " + std::string(failure.what()) +
-            "; compute this on one rank");
-        // Soil without stiffness (that water lifts, say) is in no balance: it
-        // moves.
+        // On all of several ranks (NodeExchange::together()). Soil without
+        // stiffness (that water lifts, say) is in no balance: it moves.
         if (!control.is_long())
           throw;
         StepReport<dim> none;
@@ -273,7 +266,7 @@ namespace Waker
   double
   Realisation<dim>::wanted_step() const
   {
-    const double          step = scheme().time_step(state->points);
+    const double          step = scheme().time_step(own_points());
     const TimeParameters &time = the_case->parameters.time;
     return control.is_long()
              ? scene.water.level().longest_step(state->time,
@@ -281,14 +274,6 @@ namespace Waker
                                                 time.largest_rise,
                                                 time.time_step)
              : step;
-  }
-
-
-  template <int dim>
-  double
-  Realisation<dim>::next_time_step() const
-  {
-    return control.next(wanted_step());
   }
 
 

@@ -5,6 +5,7 @@
 #include <waker/base/file_error.h>
 #include <waker/base/log.h>
 #include <waker/base/numbers.h>
+#include <waker/base/ranks.h>
 #include <waker/base/version.h>
 #include <waker/mechanics/time_scheme.h>
 #include <waker/output/checkpoint.h>
@@ -240,7 +241,12 @@ namespace Waker
       check_output_folder(directory, folder_mode(options));
       if (!options.validate_only)
         refuse_locked_folder(directory);
-      Log log = options.quiet ? Log() : Log(std::cout, Log::is_terminal());
+      // Those who start several ranks let them believe in a terminal, wherever
+      // it goes.
+      Log log =
+        options.quiet
+          ? Log()
+          : Log(std::cout, n_ranks(communicator) == 1 && Log::is_terminal());
       std::unique_ptr<const Case<dim>> pointer;
       try
         {

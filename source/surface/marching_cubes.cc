@@ -4,6 +4,7 @@
 
 #include <waker/surface/marching_cubes.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Waker
@@ -33,26 +34,33 @@ namespace Waker
 
 
   void
-  to_facets(const TriangleMesh &mesh,
-            const double        smallest_area,
-            Facets<3>          &facets)
+  to_facets(const TriangleMesh        &mesh,
+            const double               smallest_area,
+            Facets<3>                 &facets,
+            std::vector<unsigned int> *cells)
   {
     facets.clear();
+    if (cells != nullptr)
+      cells->clear();
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
       {
         const auto    &v     = mesh.triangles[t];
         const Facet<3> facet = make_facet<3>(
           {{mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]]}},
           mesh.on_face[t]);
-        if (facet.measure() > smallest_area)
-          facets.push_back(facet);
+        if (!(facet.measure() > smallest_area))
+          continue;
+        facets.push_back(facet);
+        if (cells != nullptr)
+          cells->push_back(mesh.cells[t]);
       }
   }
 
 
   MarchingCubes::MarchingCubes(
     const std::array<std::vector<double>, 3> &coordinates,
-    const unsigned int                        closed_faces)
+    const unsigned int                        closed_faces,
+    const std::vector<unsigned char>         &traced)
   {
     unsigned int n_padded = 1;
     for (unsigned int d = 0; d < 3; ++d)
@@ -77,6 +85,23 @@ namespace Waker
     inside.assign(n_padded, 0);
     vertex_of_edge.assign(3 * std::size_t(n_padded),
                           numbers::invalid_unsigned_int);
+    if (traced.empty())
+      return;
+    AssertDimension(traced.size(),
+                    coordinates[0].size() * coordinates[1].size() *
+                      coordinates[2].size());
+    is_traced.resize(n_padded);
+    for (std::size_t cell = 0; cell < n_padded; ++cell)
+      {
+        std::size_t node = 0;
+        for (int d = 2; d >= 0; --d)
+          {
+            const std::size_t n = coordinates[d].size();
+            const std::size_t i = cell / stride[d] % (n + 2);
+            node                = node * n + std::min(i > 0 ? i - 1 : 0, n - 1);
+          }
+        is_traced[cell] = traced[node];
+      }
   }
 
 
@@ -90,6 +115,7 @@ namespace Waker
     mesh.vertices.clear();
     mesh.triangles.clear();
     mesh.on_face.clear();
+    mesh.cells.clear();
 
     unsigned int n[3];
     for (unsigned int d = 0; d < 3; ++d)
@@ -129,6 +155,8 @@ namespace Waker
               const unsigned int code  = left | right << 1;
               left                     = right;
               if (code == 0 || code == 255)
+                continue;
+              if (!is_traced.empty() && !is_traced[first + i])
                 continue;
               int face = mark(i, 0);
               if (face < 0)
@@ -218,7 +246,7 @@ namespace Waker
             next[edge]      = -1;
             edge            = after;
         } while (edge != start);
-        span(face, mesh);
+        span(node, face, mesh);
       }
   }
 
@@ -256,12 +284,15 @@ namespace Waker
 
 
   void
-  MarchingCubes::span(const int face, TriangleMesh &mesh)
+  MarchingCubes::span(const unsigned int node,
+                      const int          face,
+                      TriangleMesh      &mesh)
   {
     const auto add =
       [&](const unsigned int a, const unsigned int b, const unsigned int c) {
         mesh.triangles.push_back({{a, b, c}});
         mesh.on_face.push_back(face);
+        mesh.cells.push_back(node);
       };
     const auto vertex = [&](const std::size_t k) -> const Point<3> & {
       return mesh.vertices[loop[k]];

@@ -62,7 +62,46 @@ namespace Waker
 
     if constexpr (dim == 3)
       if (!parameters.is_of_section(dim))
-        spatial.emplace(grid, parameters, closed_faces, setback);
+        {
+          spatial.emplace();
+          spatial->whole        = &grid;
+          spatial->parameters   = parameters;
+          spatial->closed_faces = closed_faces;
+          spatial->setback      = setback;
+        }
+  }
+
+
+  template <int dim>
+  ProximitySurface &
+  ProximityField<dim>::Spatial::on(
+    const std::shared_ptr<const BackgroundGrid<dim>> &other)
+  {
+    if constexpr (dim == 3)
+      if (!surface || window != other)
+        {
+          window  = other;
+          surface = std::make_unique<ProximitySurface>(
+            window ? *window : *whole, parameters, closed_faces, setback);
+        }
+    has_field = window == nullptr;
+    return *surface;
+  }
+
+
+  template <int dim>
+  const std::vector<double> &
+  ProximityField<dim>::nodal_values(const Body<dim> &body)
+  {
+    if constexpr (dim == 3)
+      if (spatial)
+        {
+          if (!spatial->has_field)
+            spatial->on(nullptr).field(body.whole());
+          return spatial->surface->nodal_values();
+        }
+    (void)body;
+    return nodal_field;
   }
 
 
@@ -229,7 +268,7 @@ namespace Waker
     else
       {
         Assert(spatial, ExcMessage("A prismatic body has no facets."));
-        spatial->detect(body, facets);
+        spatial->on(body.window()).detect(body, facets);
       }
   }
 

@@ -7,9 +7,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace Waker
 {
+  namespace
+  {
+    /// What ranks tell each other.
+    struct Triangle
+    {
+      std::uint64_t                        cell;
+      std::int64_t                         on_face;
+      std::array<std::array<double, 3>, 3> vertices; // m
+    };
+  } // namespace
+
+
   ProximitySurface::ProximitySurface(const BackgroundGrid<3>     &grid,
                                      const SurfaceParameters     &parameters,
                                      const unsigned int           closed_faces,
@@ -17,8 +30,10 @@ namespace Waker
     : radius(parameters.kernel_radius)
     , threshold(parameters.threshold)
     , h(grid.cell_size())
+    , ranks(&grid.exchange())
     , inverse_h(grid.inverse_cell_size())
-    , origin(grid.origin())
+    , origin(grid.lattice_origin())
+    , offset(grid.offset())
     , first_traced(0)
     , nodal_field(grid.n_nodes())
   {
@@ -33,28 +48,43 @@ namespace Waker
         const int  n     = grid.n_nodes_per_direction()[d];
         const bool lower = closed_faces >> (2 * d) & 1u;
         const bool upper = closed_faces >> (2 * d + 1) & 1u;
-        const int  m     = BackgroundGrid<3>::margin;
         n_nodes[d]       = n;
+        // Nodes on the box's faces, which a window need not have.
+        const int low = static_cast<int>(BackgroundGrid<3>::margin) - offset[d];
+        const int high = static_cast<int>(std::lround(
+                           (grid.upper_corner()[d] - origin[d]) * inverse_h)) -
+                         offset[d];
 
         const double far = 1e6;
         mirrors[d]       = {
-                {(lower && parameters.mirror) ? m + setback[2 * d] * inverse_h : -far,
-           (upper && parameters.mirror)
-                   ? n - 1 - m - setback[2 * d + 1] * inverse_h
-                   : far}};
+                {(lower && parameters.mirror) ? low + setback[2 * d] * inverse_h
+                                              : -far,
+           (upper && parameters.mirror) ? high - setback[2 * d + 1] * inverse_h
+                                              : far}};
 
         // The contour is sought up to a closed face, else over the margin too.
-        const int begin = lower ? m : 0;
-        const int end   = upper ? n - m : n;
-        for (int i = begin; i < end; ++i)
-          window[d].push_back(origin[d] + h * i);
-        if (lower)
+        begin[d]      = lower ? std::max(low, 0) : 0;
+        const int end = upper ? std::min(high + 1, n) : n;
+        for (int i = begin[d]; i < end; ++i)
+          window[d].push_back(origin[d] + h * (offset[d] + i));
+        if (lower && low >= 0)
           window[d].front() = grid.lower_corner()[d] + setback[2 * d];
-        if (upper)
+        if (upper && high < n)
           window[d].back() = grid.upper_corner()[d] - setback[2 * d + 1];
-        first_traced += begin * grid.stride(d);
+        first_traced += begin[d] * grid.stride(d);
       }
-    contour = MarchingCubes(window, closed_faces);
+
+    std::vector<unsigned char> is_own;
+    if (!ranks->is_one_rank())
+      for (unsigned int k = 0; k < window[2].size(); ++k)
+        for (unsigned int j = 0; j < window[1].size(); ++j)
+          for (unsigned int i = 0; i < window[0].size(); ++i)
+            is_own.push_back(ranks->owns(first_traced + k * grid.stride(2) +
+                                         j * grid.stride(1) +
+                                         i * grid.stride(0)));
+    contour = MarchingCubes(window, closed_faces, is_own);
+    for (unsigned int d = 0; d < 3; ++d)
+      n_padded[d] = window[d].size() + 2;
   }
 
 
@@ -112,9 +142,10 @@ namespace Waker
         int    n_xs[3];
         for (unsigned int d = 0; d < 3; ++d)
           {
-            const double x = (points.position[p][d] - origin[d]) * inverse_h;
-            xs[d][0]       = x;
-            n_xs[d]        = 1;
+            const double x =
+              (points.position[p][d] - origin[d]) * inverse_h - offset[d];
+            xs[d][0] = x;
+            n_xs[d]  = 1;
             for (const double mirror : mirrors[d])
               if (std::abs(x - mirror) < a)
                 xs[d][n_xs[d]++] = 2 * mirror - x;
@@ -149,7 +180,7 @@ namespace Waker
         default:
           add_kernels<4>(points);
       }
-    body.sum(nodal_field.data(), nodal_field.size());
+    ranks->sum({{nodal_field.data(), 1}});
     return nodal_field;
   }
 
@@ -164,6 +195,51 @@ namespace Waker
                   {{row, plane}},
                   threshold,
                   mesh);
-    to_facets(mesh, 1e-12 * h * h, facets);
+    to_facets(mesh, 1e-12 * h * h, facets, &cells);
+    if (!ranks->is_one_rank())
+      tell_all(facets);
+  }
+
+
+  void
+  ProximitySurface::tell_all(Facets<3> &facets)
+  {
+    std::vector<Triangle> mine(facets.size());
+    for (std::size_t f = 0; f < facets.size(); ++f)
+      {
+        // The cell's place in the whole lattice, in which the sum of the
+        // window's place and its own is nowhere negative.
+        std::uint64_t                cell = 0, rest = cells[f];
+        std::array<std::uint64_t, 3> index;
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            index[d] = rest % n_padded[d] + offset[d] + begin[d];
+            rest /= n_padded[d];
+          }
+        for (int d = 2; d >= 0; --d)
+          cell = cell << 21 | index[d];
+        mine[f].cell    = cell;
+        mine[f].on_face = facets[f].on_face;
+        for (unsigned int k = 0; k < 3; ++k)
+          for (unsigned int d = 0; d < 3; ++d)
+            mine[f].vertices[k][d] = facets[f].vertices[k][d];
+      }
+    std::vector<Triangle> all = ranks->all_gather(mine);
+    // Where one rank alone would have them: a cell is one rank's.
+    std::stable_sort(all.begin(),
+                     all.end(),
+                     [](const Triangle &a, const Triangle &b) {
+                       return a.cell < b.cell;
+                     });
+    facets.clear();
+    for (const Triangle &triangle : all)
+      {
+        std::array<Point<3>, 3> vertices;
+        for (unsigned int k = 0; k < 3; ++k)
+          for (unsigned int d = 0; d < 3; ++d)
+            vertices[k][d] = triangle.vertices[k][d];
+        facets.push_back(
+          make_facet<3>(vertices, static_cast<int>(triangle.on_face)));
+      }
   }
 } // namespace Waker

@@ -132,7 +132,7 @@ namespace Waker
     static const std::vector<double> none;
     if (parameters.method == SurfaceMethod::proximity_field)
       facets();
-    return has_field ? proximity.nodal_values() : none;
+    return has_field ? proximity.nodal_values(*body) : none;
   }
 
 

@@ -40,7 +40,8 @@ namespace Waker
     }
 
     /// Set the properties of the points of `state`, a copy of the case's first
-    /// one. @param noise n_noise() standard normal numbers
+    /// one. Of several ranks the first one generates the fields. Collective.
+    /// @param noise n_noise() standard normal numbers; none on other ranks
     /// @throws NumericalFailure "Random fields/...": a value is not finite; or
     /// soil of varying weight does not come to rest in the gravity step
     void

@@ -74,7 +74,7 @@ namespace Waker
     body()
     {
       return Body<dim>(exchange.own(),
-                       grid->exchange(),
+                       grid,
                        [this]() -> const MaterialPoints<dim> & {
                          return know_places();
                        });
@@ -104,11 +104,12 @@ namespace Waker
     void
     complete(NodalState &nodes);
 
-    /// What this rank has sent so far: of nodes.
+    /// What this rank has sent so far.
     NodeExchange::Traffic
     traffic() const
     {
       NodeExchange::Traffic sum = sent_before;
+      sum += exchange.traffic();
       sum += grid->exchange().traffic();
       return sum;
     }
@@ -120,7 +121,7 @@ namespace Waker
     }
 
     // Of this rank; balance() makes new ones.
-    std::unique_ptr<const BackgroundGrid<dim>> grid;
+    std::shared_ptr<const BackgroundGrid<dim>> grid;
     std::unique_ptr<const Fixities<dim>>       fixities;
     std::unique_ptr<Weights<dim>>              weights;
     std::unique_ptr<NodalState>                nodes;

@@ -13,19 +13,21 @@ namespace Waker
   {
     double steps     = 0.; // to the end time
     double time_step = 0.; // s
-    double computing = 0.; // s, if it goes on to the end time
-    double memory    = 0.; // bytes, largest at one time
+    double computing = 0.; // s, of all ranks, if it goes on to the end time
+    double memory    = 0.; // bytes, of each rank, largest at one time
     double snapshots = 0.; // moments with ParaView files
     double disk      = 0.; // bytes, of ParaView files and statistics
   };
 
   /// @param n_points, n_nodes of the case
+  /// @param n_ranks that compute it
   template <int dim>
   RunSizes
-  run_sizes(const Parameters &parameters,
-            const Materials  &materials,
-            const std::size_t n_points,
-            const std::size_t n_nodes);
+  run_sizes(const Parameters  &parameters,
+            const Materials   &materials,
+            const std::size_t  n_points,
+            const std::size_t  n_nodes,
+            const unsigned int n_ranks = 1);
 
   /// The same of a case.
   template <int dim>
@@ -36,10 +38,13 @@ namespace Waker
    * Are they possible? Called when the points are known, before fields on the
    * grid and the gravity step's equations are made.
    *
+   * @param n_here ranks that share this machine's memory
    * @throws UserError with the number
    */
   void
-  check_run_sizes(const RunSizes &sizes, const Parameters &parameters);
+  check_run_sizes(const RunSizes    &sizes,
+                  const Parameters  &parameters,
+                  const unsigned int n_here = 1);
 } // namespace Waker
 
 #endif

@@ -38,10 +38,14 @@ namespace Waker
                                        const double                 variance)>;
 
     /// @param lattices one per field; correlated fields have equal ones
+    /// @param generates false: another rank does; this one has no arrays for it,
+    ///        needs no noise and knows what the fields are, but for what
+    ///        description() and warnings() say
     /// @throws UserError "Random fields/..."
     RandomFields(const RandomFieldsParameters    &parameters,
                  const std::vector<FieldLattice> &lattices,
-                 const Score                     &score);
+                 const Score                     &score,
+                 const bool                       generates = true);
     ~RandomFields();
 
     /// Standard normal numbers that one realisation needs.

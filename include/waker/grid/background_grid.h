@@ -22,8 +22,8 @@ namespace Waker
   using namespace dealii;
 
   /**
-   * The uniform background grid: cubic cells of one size on a deal.II
-   * triangulation with vector-valued Q1 elements.
+   * The uniform background grid: cubic cells of one size, the nodes of which
+   * are those of deal.II's vector-valued Q1 elements.
    *
    * The box [lower, upper] that the user gives is surrounded by a margin of
    * one layer of cells, so that the support domain of a point near a fixed
@@ -181,7 +181,8 @@ namespace Waker
     bool
     contains(const Point<dim> &x, const double clearance = 0.) const;
 
-    /// The deal.II objects; a window has none.
+    /// deal.II's view of it: made when it is first asked for, as nothing that a
+    /// step needs takes so much memory.
     const DoFHandler<dim, dim> &
     dof_handler() const;
 
@@ -229,7 +230,7 @@ namespace Waker
     std::shared_ptr<const NodeExchange> node_exchange;
 
     struct DealII;
-    std::unique_ptr<DealII> deal_ii; // none in a window
+    mutable std::unique_ptr<DealII> deal_ii; // null until it is asked for
   };
 } // namespace Waker
 

@@ -8,6 +8,7 @@
 #include <functional>
 #include <initializer_list>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 namespace Waker
@@ -114,7 +115,25 @@ namespace Waker
     double
     largest(const double number) const;
 
-    /// Do what may fail on one rank alone: it fails on all of them.
+    /// What all ranks have, rank by rank, as bytes.
+    template <typename T>
+    std::vector<T>
+    all_gather(const std::vector<T> &mine) const
+    {
+      static_assert(std::is_trivially_copyable<T>::value,
+                    "this is copied byte by byte");
+      if (plan == nullptr)
+        return mine;
+      std::vector<T> all;
+      gather_values(sizeof(T), mine.data(), mine.size(), [&](std::size_t n) {
+        all.resize(n);
+        return static_cast<void *>(all.data());
+      });
+      return all;
+    }
+
+    /// Do what may fail on one rank alone: it fails on all of them. The action
+    /// must tell the others nothing: who fails would leave them waiting.
     /// @throws NumericalFailure what one of them has thrown
     void
     together(const std::function<void()> &action) const;
@@ -143,6 +162,13 @@ namespace Waker
 
   private:
     struct Plan;
+
+    /// @param make_room for so many values; returns where they go
+    void
+    gather_values(const std::size_t                           size,
+                  const void                                 *mine,
+                  const std::size_t                           n_mine,
+                  const std::function<void *(std::size_t n)> &make_room) const;
 
     MPI_Comm                   mpi_communicator;
     std::vector<unsigned char> is_owned; // empty on one rank

@@ -214,6 +214,14 @@ namespace Waker
       return penalty_dofs;
     }
 
+    /// Does the whole grid have such dofs? Each rank knows, also one that has
+    /// none of them.
+    bool
+    has_penalties() const
+    {
+      return penalties_exist;
+    }
+
     /// Does anything move, that is, does a displacement depend on time?
     bool
     has_prescribed_motion() const
@@ -259,6 +267,7 @@ namespace Waker
     std::vector<unsigned char> removed_dofs;
     std::vector<unsigned int>  removed_dof_list;
     std::vector<Penalty>       penalty_dofs;
+    bool                       penalties_exist = false;
     bool                       moves            = false;
     unsigned int               closed_face_bits = 0;
     std::unique_ptr<Motion>    motion;

@@ -25,10 +25,11 @@ namespace Waker
             const double         modulus,
             const double         h);
 
+    /// Are there none, on any rank?
     bool
     empty() const
     {
-      return dofs.empty();
+      return !fixities->has_penalties();
     }
 
     typename Resistance<dim>::Role

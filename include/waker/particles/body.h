@@ -2,10 +2,11 @@
 #ifndef waker_particles_body_h
 #define waker_particles_body_h
 
-#include <waker/grid/node_exchange.h>
+#include <waker/grid/background_grid.h>
 #include <waker/particles/material_points.h>
 
 #include <functional>
+#include <memory>
 #include <utility>
 
 namespace Waker
@@ -28,12 +29,13 @@ namespace Waker
       : own_points(&points)
     {}
 
+    /// @param window of the rank, on the grid
     /// @param fetch gives the whole body, whose points know their places
     Body(const MaterialPoints<dim>                   &own,
-         const NodeExchange                          &ranks,
+         std::shared_ptr<const BackgroundGrid<dim>>   window,
          std::function<const MaterialPoints<dim> &()> fetch)
       : own_points(&own)
-      , ranks(&ranks)
+      , own_window(std::move(window))
       , fetch(std::move(fetch))
     {}
 
@@ -49,25 +51,34 @@ namespace Waker
     const MaterialPoints<dim> &
     whole() const
     {
-      return ranks == nullptr ? *own_points : fetch();
+      return own_window == nullptr ? *own_points : fetch();
+    }
+
+    /// The nodes that the own points reach; null on one rank, where these are
+    /// all.
+    const std::shared_ptr<const BackgroundGrid<dim>> &
+    window() const
+    {
+      return own_window;
     }
 
     void
     sum(double *const numbers, const unsigned int n) const
     {
-      if (ranks != nullptr)
-        ranks->sum(numbers, n);
+      if (own_window != nullptr)
+        own_window->exchange().sum(numbers, n);
     }
 
     double
     largest(const double number) const
     {
-      return ranks != nullptr ? ranks->largest(number) : number;
+      return own_window != nullptr ? own_window->exchange().largest(number)
+                                   : number;
     }
 
   private:
     const MaterialPoints<dim>                   *own_points;
-    const NodeExchange                          *ranks = nullptr;
+    std::shared_ptr<const BackgroundGrid<dim>>   own_window;
     std::function<const MaterialPoints<dim> &()> fetch;
   };
 } // namespace Waker

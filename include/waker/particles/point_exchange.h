@@ -73,6 +73,13 @@ namespace Waker
     void
     take_new(const Partition<dim> &partition, const MaterialPoints<dim> &whole);
 
+    /// What this rank has sent so far.
+    const NodeExchange::Traffic &
+    traffic() const
+    {
+      return sent;
+    }
+
     /// Points of the rank that has most, over those of the mean rank.
     double
     imbalance() const;
@@ -83,10 +90,11 @@ namespace Waker
     gather(MaterialPoints<dim>            &whole,
            const std::vector<std::string> &names) const;
 
-    MPI_Comm                   communicator;
-    std::size_t                n_whole;
-    MaterialPoints<dim>        points;
-    std::vector<std::uint32_t> places; // of the own points in the whole body
+    MPI_Comm                      communicator;
+    std::size_t                   n_whole;
+    MaterialPoints<dim>           points;
+    std::vector<std::uint32_t>    places; // of the own points in the whole body
+    mutable NodeExchange::Traffic sent;
   };
 } // namespace Waker
 

@@ -69,10 +69,6 @@ namespace Waker
     bool
     any(const bool one_does) const;
 
-    /// The step that advance() would take next (s).
-    double
-    next_time_step() const;
-
   private:
     /// The step, not converged if it is a long one that cannot be solved.
     StepReport<dim>
@@ -106,7 +102,7 @@ namespace Waker
 
     /// Those that this rank computes.
     MaterialPoints<dim> &
-    own_points()
+    own_points() const
     {
       return part ? part->points() : state->points;
     }

@@ -15,13 +15,18 @@ namespace Waker
     std::vector<Point<3>>                    vertices; // m
     std::vector<std::array<unsigned int, 3>> triangles;
     std::vector<int> on_face; // of each triangle, see Facet::on_face
+    /// Of each triangle, ascending: the number of its cell in the lattice with
+    /// a plane of cells more on each side.
+    std::vector<unsigned int> cells;
   };
 
   /// The triangles larger than `smallest_area` (m^2). `facets` is overwritten.
+  /// @param cells of the facets, see TriangleMesh; overwritten
   void
-  to_facets(const TriangleMesh &mesh,
-            const double        smallest_area,
-            Facets<3>          &facets);
+  to_facets(const TriangleMesh        &mesh,
+            const double               smallest_area,
+            Facets<3>                 &facets,
+            std::vector<unsigned int> *cells = nullptr);
 
 
   /**
@@ -53,9 +58,12 @@ namespace Waker
      *        direction (m)
      * @param closed_faces bit 2d: the lower, 2d + 1: the upper face in
      *        direction d is closed
+     * @param traced one flag a node: are the cells traced whose lowest node,
+     *        the nearest one for those beyond a side, it is? Empty: all are.
      */
     MarchingCubes(const std::array<std::vector<double>, 3> &coordinates,
-                  const unsigned int                        closed_faces);
+                  const unsigned int                        closed_faces,
+                  const std::vector<unsigned char>         &traced = {});
 
     /**
      * @param values at the nodes: node (i, j, k) at values[k * strides[1] +
@@ -85,9 +93,9 @@ namespace Waker
               const double       threshold,
               TriangleMesh      &mesh);
 
-    // Span the loop of vertices.
+    // Span the loop of vertices, in the cell of this padded node.
     void
-    span(const int face, TriangleMesh &mesh);
+    span(const unsigned int node, const int face, TriangleMesh &mesh);
 
     // The lattice is padded by one node all round. The padding has the value
     // zero; at a closed face it lies on the face itself.
@@ -95,6 +103,7 @@ namespace Waker
     std::array<int, 6>                 face_marks; // face number or -1
     std::array<unsigned int, 3>        stride;     // between padded nodes
 
+    std::vector<unsigned char> is_traced; // by padded cell; empty: all are
     std::vector<double>        padded_values;
     std::vector<unsigned char> inside;
     std::vector<unsigned int>  vertex_of_edge; // or invalid

@@ -10,6 +10,7 @@
 #include <waker/surface/shape/surface.h>
 
 #include <array>
+#include <memory>
 #include <optional>
 
 namespace Waker
@@ -57,12 +58,10 @@ namespace Waker
     field(const Body<dim> &body);
 
     /// The field as last computed; in 3D, unless prismatic, that of the body
-    /// itself, at all nodes.
+    /// itself, at all nodes. On several ranks, which know it on their windows
+    /// only, it is computed for the whole body.
     const std::vector<double> &
-    nodal_values() const
-    {
-      return spatial ? spatial->nodal_values() : nodal_field;
-    }
+    nodal_values(const Body<dim> &body);
 
     /// The contour of the field at the threshold, in the x-y plane. `surface`
     /// is overwritten, its storage used again.
@@ -100,7 +99,22 @@ namespace Waker
     MarchingSquares     contour;
     Surface             chains; // work space
 
-    std::optional<ProximitySurface> spatial; // in 3D, unless prismatic
+    /// In 3D, unless prismatic: made when it is first needed, on several ranks
+    /// for each window anew.
+    struct Spatial
+    {
+      BackgroundGrid<dim> const                 *whole;
+      SurfaceParameters                          parameters;
+      unsigned int                               closed_faces;
+      std::array<double, 2 * dim>                setback;
+      std::shared_ptr<const BackgroundGrid<dim>> window; // that it is made for
+      std::unique_ptr<ProximitySurface>          surface;
+      bool                                       has_field = false;
+
+      ProximitySurface &
+      on(const std::shared_ptr<const BackgroundGrid<dim>> &other);
+    };
+    std::optional<Spatial> spatial;
   };
 } // namespace Waker
 

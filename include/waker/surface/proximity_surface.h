@@ -18,6 +18,9 @@ namespace Waker
    * K(x - x_p) on all nodes of the background grid, and its contour surface by
    * marching cubes.
    *
+   * On several ranks each has the field on the nodes of its window, and finds
+   * the surface in its own cells; the facets go to all.
+   *
    * Kernel: K = 15 / (8 pi a^3) (1 - |x - x_p|^2 / a^2) within the radius a,
    * which integrates to one, as that in 2D does (ProximityField). With it the
    * natural threshold is 1/2 again. Mirrors at closed faces as in 2D.
@@ -27,6 +30,7 @@ namespace Waker
   class ProximitySurface
   {
   public:
+    /// @param grid all of it, or this rank's window
     /// @param closed_faces where to mirror (Fixities::closed_faces())
     /// @param setback as of ProximityField
     ProximitySurface(const BackgroundGrid<3>     &grid,
@@ -34,7 +38,8 @@ namespace Waker
                      const unsigned int           closed_faces,
                      const std::array<double, 6> &setback = {});
 
-    /// PF (no unit; about 1 inside a body) at the nodes, n_nodes long.
+    /// PF (no unit; about 1 inside a body) at the nodes of the grid, n_nodes
+    /// long.
     const std::vector<double> &
     field(const Body<3> &body);
 
@@ -44,7 +49,8 @@ namespace Waker
       return nodal_field;
     }
 
-    /// The surface of the body, closed; `facets` is overwritten.
+    /// The surface of the body, closed, on each rank all of it in the same
+    /// order; `facets` is overwritten.
     void
     detect(const Body<3> &body, Facets<3> &facets);
 
@@ -56,27 +62,37 @@ namespace Waker
     }
 
   private:
+    // What all ranks have found.
+    void
+    tell_all(Facets<3> &facets);
+
     // Sum the kernels, each over the `width`^3 nodes that it can reach.
     template <int width>
     void
     add_kernels(const MaterialPoints<3> &points);
 
-    double             radius; // in cells
-    double             threshold;
-    double             h;         // m
-    double             inverse_h; // 1/m
-    double             factor;    // K at its centre (1/m^3)
-    Point<3>           origin;    // of the lattice, m
-    std::array<int, 3> n_nodes;
-    unsigned int       first_traced; // node where the contour's window starts
+    double              radius; // in cells
+    double              threshold;
+    double              h; // m
+    const NodeExchange *ranks;
+    double              inverse_h; // 1/m
+    double              factor;    // K at its centre (1/m^3)
+    Point<3>            origin;    // of the whole lattice, m
+    std::array<int, 3>  offset;    // of the grid's node 0 there
+    std::array<int, 3>  n_nodes;
+    unsigned int        first_traced; // node where the contour's window starts
 
-    // Coordinates of the closed faces in cells from the origin, [d][lower,
-    // upper]; far away where a face is open.
+    // Coordinates of the closed faces in cells from the grid's node 0,
+    // [d][lower, upper]; far away where a face is open.
     std::array<std::array<double, 2>, 3> mirrors;
 
-    std::vector<double> nodal_field;
-    MarchingCubes       contour;
-    TriangleMesh        mesh;
+    std::array<int, 3>          begin;    // node of the grid where it is traced
+    std::array<unsigned int, 3> n_padded; // of the contour's lattice
+
+    std::vector<unsigned int> cells; // of the facets: work space
+    std::vector<double>       nodal_field;
+    MarchingCubes             contour;
+    TriangleMesh              mesh;
   };
 } // namespace Waker
 

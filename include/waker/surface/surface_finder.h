@@ -100,7 +100,8 @@ namespace Waker
     const Facets<dim> &
     facets(const FoundSurface which, const std::string &path) const;
 
-    /// The proximity field; empty if no surface is found by it.
+    /// The proximity field; empty if no surface is found by it. On several
+    /// ranks for one alone, that looks at the whole body.
     const std::vector<double> &
     proximity_field() const;
 

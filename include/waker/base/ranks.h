@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_base_ranks_h
+#define waker_base_ranks_h
+
+#include <deal.II/base/mpi.h>
+
+#include <functional>
+#include <vector>
+
+namespace Waker
+{
+  using namespace dealii;
+
+  /// Of a communicator; one where MPI has not been started.
+  unsigned int
+  n_ranks(const MPI_Comm communicator);
+
+  /// Those of them that share this machine. Collective.
+  unsigned int
+  n_ranks_here(const MPI_Comm communicator);
+
+  bool
+  is_first_rank(const MPI_Comm communicator);
+
+  /**
+   * What one rank does for all of them. A mistake that it finds is one on each.
+   * Collective.
+   *
+   * @throws UserError what the first rank has thrown
+   */
+  void
+  first_rank_does(const MPI_Comm               communicator,
+                  const std::function<void()> &action);
+
+  /// The first rank's numbers, of which each rank has room for as many.
+  /// Collective.
+  void
+  share(const MPI_Comm communicator, std::vector<double> &numbers);
+} // namespace Waker
+
+#endif
