@@ -167,8 +167,8 @@ namespace Waker
   namespace
   {
     /// Iterations with the diagonal that take as long as to set up the stronger
-    /// preconditioner: 200 with 7,000 equations, 160 with 42,000, 100 with
-    /// 320,000 (doc/verification/static_steps.md).
+    /// preconditioner: 200 with 5,000 equations, 160 with 38,000, 100 with
+    /// 300,000 (doc/verification/static_steps.md).
     constexpr unsigned int patience = 200;
 
 
