@@ -29,6 +29,7 @@ namespace BoxOfSoil
     double           nu       = 0.3;
     double           softness = 1.; // of every second layer of cells, at most
     VolumetricStrain strain   = VolumetricStrain::standard;
+    double           height   = 1e3; // m: no soil above it
   };
 
 
@@ -62,7 +63,7 @@ namespace BoxOfSoil
           for (unsigned int d = 0; d < dim; ++d)
             x[d] = h * (1. + 0.5 * (i[d] + 0.5) + kind.reach);
           x[1] -= h;
-          if (partition.owner(x) != rank)
+          if (x[1] > kind.height || partition.owner(x) != rank)
             continue;
           Lattice::add_point(
             points, x, std::pow(0.5 * h, dim), 0.25 * h, density);

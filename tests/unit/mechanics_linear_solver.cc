@@ -165,6 +165,26 @@ namespace mechanics_linear_solver
     }
 
 
+    /// A rank may have no soil, one that has some a slice of it.
+    TEST(Ranks, LevelsWhereARankHasNothing)
+    {
+      Kind low;
+      low.height = 2 * h;
+      const Body<3> body(Box{{12, 24, 12}}, low, MPI_COMM_WORLD);
+      Multilevel<3> levels(body.grid);
+      ASSERT_TRUE(levels.reinit(*body.system));
+      NodalVector x(body.grid.n_dofs());
+      levels.vmult(x, body.weight());
+      EXPECT_GT(body.grid.exchange().sum(x * body.weight()), 1e-3);
+      const NodeExchange &ranks   = body.grid.exchange();
+      const double        n_empty = ranks.sum(body.points.n_points() == 0);
+      const unsigned int  n_ranks =
+        Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+      EXPECT_LT(n_empty, n_ranks);
+      EXPECT_EQ(n_empty > 0., n_ranks > 1);
+    }
+
+
     /// Realisations side by side: one sets up its levels, others do not.
     TEST(Ranks, LevelsOfOneRankAlone)
     {
