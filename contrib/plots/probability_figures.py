@@ -31,17 +31,21 @@ class Axis:
 
 
 def last_event(scenarios):
-    """End of the time axis (s): a whole 5 s after the last event."""
+    """End of the time axis (s): a whole 5 s after the last event, but not after
+    all realisations have ended."""
     times = [scenario.times(event) for scenario in scenarios
              for event, _, _ in EVENTS]
     last = max((t.max() for t in times if len(t)), default=5.0)
-    return 5.0 * np.ceil((last + 0.5) / 5.0)
+    ended = max((scenario["end_time"].max() for scenario in scenarios
+                 if len(scenario.realisation)), default=5.0)
+    return min(5.0 * np.ceil((last + 0.5) / 5.0), max(ended, 0.1))
 
 
 def time_axis(panel, end):
     panel.set_xlim(0.0, end)
-    step = 5.0 * max(1, round(end / 50.0))
-    panel.set_xticks(np.arange(0.0, end + 0.1, step))
+    if end > 10.0:
+        step = 5.0 * max(1, round(end / 50.0))
+        panel.set_xticks(np.arange(0.0, end + 0.1, step))
 
 
 def in_time(files, name_of_file, base, points=None, thesis=False):

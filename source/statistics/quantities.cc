@@ -86,7 +86,7 @@ namespace Waker
       {"damaged crest width", "m", of_masses([](const SlidingMasses &s) {
          return s.damaged_crest_width;
        })},
-      {"time of initial failure",
+      {"time of initial failure, by the first of its readings",
        "s",
        [=](const Record &r) {
          return time_or_nan(r.time_of(FailureReading::any));

@@ -91,7 +91,8 @@ namespace statistics_quantities
     records[2].outcome          = Outcome::stable;
     const auto list             = quantities(records);
     ASSERT_EQ(list.size(), 2u);
-    EXPECT_EQ(list[0].name, "time of initial failure");
+    EXPECT_EQ(list[0].name,
+              "time of initial failure, by the first of its readings");
     EXPECT_EQ(list[0].values, (std::vector<double>{2., 3.}));
     EXPECT_EQ(list[1].name, "time of flooding");
     EXPECT_EQ(list[1].values, std::vector<double>{90.});
