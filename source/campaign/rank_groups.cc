@@ -15,12 +15,13 @@ namespace Waker
     const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
     const unsigned int n    = Utilities::MPI::n_mpi_processes(communicator);
     if (size == 0 || n % size != 0)
-      throw UserError("Campaign/Ranks per realisation",
-                      "is " + std::to_string(size) +
-                        ", and the campaign is started on " +
-                        std::to_string(n) + " rank(s)",
-                      "a number that divides that of the ranks: mpirun -n " +
-                        std::to_string(size) + ", or a multiple of it");
+      throw UserError(
+        "Campaign/Ranks per realisation",
+        "is " + std::to_string(size) + ", and the campaign is started on " +
+          std::to_string(n) + " rank(s)",
+        "a number that divides that of the ranks (1 always does): "
+        "mpirun -n " +
+          std::to_string(size) + ", or a multiple of it");
     n_all_groups  = n / size;
     group_number  = rank / size;
     rank_in_group = rank % size;
