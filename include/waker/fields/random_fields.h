@@ -38,7 +38,8 @@ namespace Waker
                                        const double                 variance)>;
 
     /// @param lattices one per field; correlated fields have equal ones
-    /// @param generates false: another rank does; this one has no arrays for it,
+    /// @param generates false: another rank does; this one has no arrays for
+    /// it,
     ///        needs no noise and knows what the fields are, but for what
     ///        description() and warnings() say
     /// @throws UserError "Random fields/..."

@@ -267,7 +267,7 @@ namespace Waker
     std::vector<unsigned char> removed_dofs;
     std::vector<unsigned int>  removed_dof_list;
     std::vector<Penalty>       penalty_dofs;
-    bool                       penalties_exist = false;
+    bool                       penalties_exist  = false;
     bool                       moves            = false;
     unsigned int               closed_face_bits = 0;
     std::unique_ptr<Motion>    motion;
