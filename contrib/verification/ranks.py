@@ -5,6 +5,7 @@ chapter 6 (parameters/chapter6/slope.prm) on several ranks.
 
     ranks.py time WAKER [CELL SIZE]   two ranks against two runs side by side
     ranks.py count WAKER              what ranks tell each other, on 2, 4 and 8
+    ranks.py surface WAKER            what is done for each facet by all
     ranks.py model                    fit, table and figure
 
 `time` needs two idle cores. Results are kept in doc/verification/data.
@@ -25,12 +26,15 @@ ENVIRONMENT = dict(os.environ, OMP_NUM_THREADS="1",
                    OMPI_MCA_rmaps_base_oversubscribe="1")
 SLOPE = "parameters/chapter6/slope.prm"
 SENT = re.compile(r"(\d+) ranks; in a step the first one sent (\S+) messages with "
-                  r"(\S+) kB of nodes, and took part in (\S+) sums")
+                  r"(\S+) kB, and took part in (\S+) sums")
 TIME = re.compile(r"unconverged, (\S+) s,")
 POINTS = {0.25: 12416, 0.125: 99328, 0.0625: 794624}
 
 # A cluster of today: seconds a message and a stage of a sum, seconds a byte.
 LATENCY, STAGE, PER_BYTE = 2e-6, 2e-6, 1. / 5e9
+# Of what a rank does with the facets of the whole surface, as perf names it.
+OF_SURFACE = ("tell_all", "measure_dyke", "make_facet", "Section", "Triangle")
+FACET = 88.  # bytes that go to all
 
 
 def command(waker, cell, n_steps, folder, n_ranks=1):
@@ -101,6 +105,36 @@ def count(waker):
                             [float(POINTS[cell])] + numbers)))
 
 
+def surface(waker):
+    """Seconds a step and facet on each of two ranks, by perf's samples."""
+    cell, n_steps = 0.0625, 10
+    with tempfile.TemporaryDirectory() as work:
+        words = command(waker, cell, n_steps, work + "/run", 2)
+        k = words.index(waker)
+        # Of the first rank.
+        words[k:k] = ["sh", "-c", 'if [ "$OMPI_COMM_WORLD_RANK" = 0 ]; then exec '
+                      f'perf record -o {work}/perf -F 499 "$@"; else exec "$@"; fi',
+                      "sh"]
+        done = subprocess.run(words, env=ENVIRONMENT, capture_output=True, text=True)
+        with open(work + "/run/solution/surface-00000.vtu", "rb") as file:
+            n_facets = int(re.search(rb'NumberOfCells="(\d+)"', file.read(2000))[1])
+        lines = subprocess.run(["perf", "report", "-i", work + "/perf", "--stdio",
+                                "--percent-limit", "0", "-F", "sample,symbol"],
+                               capture_output=True, text=True).stdout.splitlines()
+    if TIME.search(done.stdout) is None:
+        sys.exit(done.stdout[-2000:] + done.stderr[-2000:])
+    samples = 0
+    for line in lines:
+        found = re.match(r"\s*(\d+)\s+\[\.\]\s+(.*)", line)
+        if found and any(word in found[2] for word in OF_SURFACE):
+            samples += int(found[1])
+    seconds = samples / 499. / n_steps / n_facets
+    print(f"{n_facets} facets, {1e9 * seconds:.0f} ns each in a step")
+    append("ranks_surface", 1, {"points": float(POINTS[cell]),
+                                "facets": float(n_facets),
+                                "ns a facet": 1e9 * seconds})
+
+
 def model():
     traffic = {key: np.asarray(column) for key, column in
                read_csv("ranks_traffic").items()}
@@ -119,7 +153,10 @@ def model():
     per_point = times["side by side (s)"][k] / POINTS[cell]
 
     figure, axes = plt.subplots(figsize=(6, 3.6))
-    print("points, ranks: work, bytes, messages, sums (ms); efficiency")
+    facets = read_csv("ranks_surface")
+    per_facet = facets["ns a facet"][0] * 1e-9 + FACET * PER_BYTE
+    share = facets["facets"][0] / facets["points"][0] ** (2. / 3.)
+    print("points, ranks: work, bytes, messages, sums, surface (ms); efficiency")
     for n in (99328, 794624, 1e7):
         many = 2 ** np.arange(0, 11)
         efficiency = []
@@ -129,7 +166,9 @@ def model():
             # A part in space has up to 26 others around it.
             told = messages * min(p - 1, 26) / 3. * LATENCY
             added = sums * STAGE * np.log2(p) if p > 1 else 0.
-            parts = np.array([work, sent if p > 1 else 0., told, added])
+            whole = share * n ** (2. / 3.) * per_facet
+            parts = np.array([work, sent if p > 1 else 0., told, added,
+                              whole if p > 1 else 0.])
             efficiency.append(work / parts.sum())
             if p in (16, 64, 256, 1024):
                 print(f"{n:.0f}, {p}: " + ", ".join(f"{1e3 * t:.3g}" for t in parts)
@@ -144,12 +183,14 @@ def model():
 
 
 def main():
-    if len(sys.argv) < 2 or sys.argv[1] not in ("time", "count", "model"):
+    if len(sys.argv) < 2 or sys.argv[1] not in ("time", "count", "surface", "model"):
         sys.exit(__doc__)
     if sys.argv[1] == "model":
         model()
     elif sys.argv[1] == "count":
         count(sys.argv[2])
+    elif sys.argv[1] == "surface":
+        surface(sys.argv[2])
     else:
         measure_time(sys.argv[2], *[float(word) for word in sys.argv[3:4] or ["0.125"]])
 

@@ -283,8 +283,11 @@ namespace Waker
         const std::size_t size = to[k].size;
         const Counted     value(size);
         received.resize(size * there.size());
-        ++sent.reductions;
-        sent.bytes += size * points.n_points();
+        if (!names.empty()) // else it is for files: not what steps send
+          {
+            ++sent.reductions;
+            sent.bytes += size * points.n_points();
+          }
         MPI_Allgatherv(from[k].data,
                        my_n,
                        value.type,

@@ -380,8 +380,8 @@ namespace Waker
       return;
     const auto n = static_cast<double>(n_steps);
     say(log,
-        "%u ranks; in a step the first one sent %.4g messages with %.4g kB of "
-        "nodes, and took part in %.4g sums over all",
+        "%u ranks; in a step the first one sent %.4g messages with %.4g kB, "
+        "and took part in %.4g sums over all",
         n_ranks,
         static_cast<double>(sent.messages) / n,
         1e-3 * static_cast<double>(sent.bytes) / n,

@@ -20,6 +20,18 @@ namespace Waker
       std::int64_t                         on_face;
       std::array<std::array<double, 3>, 3> vertices; // m
     };
+
+    struct TriangleInCell
+    {
+      std::uint64_t cell;
+      std::size_t   number;
+
+      bool
+      operator<(const TriangleInCell &other) const
+      {
+        return cell != other.cell ? cell < other.cell : number < other.number;
+      }
+    };
   } // namespace
 
 
@@ -224,16 +236,16 @@ namespace Waker
           for (unsigned int d = 0; d < 3; ++d)
             mine[f].vertices[k][d] = facets[f].vertices[k][d];
       }
-    std::vector<Triangle> all = ranks->all_gather(mine);
+    const std::vector<Triangle> all = ranks->all_gather(mine);
     // Where one rank alone would have them: a cell is one rank's.
-    std::stable_sort(all.begin(),
-                     all.end(),
-                     [](const Triangle &a, const Triangle &b) {
-                       return a.cell < b.cell;
-                     });
+    std::vector<TriangleInCell> order(all.size());
+    for (std::size_t f = 0; f < all.size(); ++f)
+      order[f] = {all[f].cell, f};
+    std::sort(order.begin(), order.end());
     facets.clear();
-    for (const Triangle &triangle : all)
+    for (const TriangleInCell &place : order)
       {
+        const Triangle         &triangle = all[place.number];
         std::array<Point<3>, 3> vertices;
         for (unsigned int k = 0; k < 3; ++k)
           for (unsigned int d = 0; d < 3; ++d)
