@@ -7,6 +7,19 @@
 
 namespace Waker
 {
+  MpiBytes::MpiBytes(const std::size_t n_bytes)
+  {
+    MPI_Type_contiguous(static_cast<int>(n_bytes), MPI_BYTE, &type);
+    MPI_Type_commit(&type);
+  }
+
+
+  MpiBytes::~MpiBytes()
+  {
+    MPI_Type_free(&type);
+  }
+
+
   unsigned int
   n_ranks(const MPI_Comm communicator)
   {

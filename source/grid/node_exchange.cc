@@ -3,6 +3,7 @@
 #include <deal.II/base/partitioner.h>
 
 #include <waker/base/errors.h>
+#include <waker/base/ranks.h>
 #include <waker/grid/node_exchange.h>
 
 #include <algorithm>
@@ -279,20 +280,15 @@ namespace Waker
     MPI_Allgather(&my_n, 1, MPI_INT, n.data(), 1, MPI_INT, mpi_communicator);
     std::vector<int> begin(n.size() + 1, 0);
     std::partial_sum(n.begin(), n.end(), begin.begin() + 1);
-    // MPI counts values, not bytes, of which there may be more than an int
-    // holds.
-    MPI_Datatype value;
-    MPI_Type_contiguous(static_cast<int>(size), MPI_BYTE, &value);
-    MPI_Type_commit(&value);
+    const MpiBytes value(size);
     MPI_Allgatherv(mine,
                    my_n,
-                   value,
+                   value.type,
                    make_room(begin.back()),
                    n.data(),
                    begin.data(),
-                   value,
+                   value.type,
                    mpi_communicator);
-    MPI_Type_free(&value);
     sent.reductions += 2;
     sent.bytes += n_mine * size;
   }

@@ -2,6 +2,7 @@
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
 
+#include <waker/base/ranks.h>
 #include <waker/particles/point_exchange.h>
 #include <waker/particles/removal.h>
 
@@ -94,30 +95,6 @@ namespace Waker
                                return sum + array.size;
                              });
     }
-
-
-    /// A value, or all of a point, as MPI counts it: so that its counts, which
-    /// are int, are those of points and not of bytes.
-    class Counted
-    {
-    public:
-      explicit Counted(const std::size_t n_bytes)
-      {
-        MPI_Type_contiguous(static_cast<int>(n_bytes), MPI_BYTE, &type);
-        MPI_Type_commit(&type);
-      }
-
-      Counted(const Counted &) = delete;
-      Counted &
-      operator=(const Counted &) = delete;
-
-      ~Counted()
-      {
-        MPI_Type_free(&type);
-      }
-
-      MPI_Datatype type;
-    };
 
 
     std::vector<int>
@@ -216,7 +193,7 @@ namespace Waker
             ++n;
           }
       }
-    const Counted point(size);
+    const MpiBytes point(size);
     MPI_Alltoallv(to_send.data(),
                   n_out.data(),
                   begin_out.data(),
@@ -281,7 +258,7 @@ namespace Waker
     for (std::size_t k = 0; k < to.size(); ++k)
       {
         const std::size_t size = to[k].size;
-        const Counted     value(size);
+        const MpiBytes    value(size);
         received.resize(size * there.size());
         if (!names.empty()) // else it is for files: not what steps send
           {

@@ -4,12 +4,30 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
 namespace Waker
 {
   using namespace dealii;
+
+  /// So many bytes as MPI counts them: its counts, which are int, are then
+  /// those of values, or points, and not of bytes.
+  class MpiBytes
+  {
+  public:
+    explicit MpiBytes(const std::size_t n_bytes);
+
+    MpiBytes(const MpiBytes &) = delete;
+    MpiBytes &
+    operator=(const MpiBytes &) = delete;
+
+    ~MpiBytes();
+
+    MPI_Datatype type;
+  };
+
 
   /// Of a communicator; one where MPI has not been started.
   unsigned int
