@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/hash.h>
 
-#include <boost/crc.hpp>
 #include <cstdint>
 #include <cstdio>
+#include <zlib.h>
 
 namespace Waker
 {
@@ -26,15 +26,28 @@ namespace Waker
   std::string
   checksum_of_text(const std::string &text, const std::string &key)
   {
-    boost::crc_32_type crc;
-    crc.process_bytes(key.data(), key.size());
-    crc.process_bytes(text.data(), text.size());
+    return checksum_of_pieces({check_piece(key), check_piece(text)});
+  }
+
+
+  CheckedPiece
+  check_piece(const std::string &piece)
+  {
+    const uLong crc =
+      crc32_z(0, reinterpret_cast<const Bytef *>(piece.data()), piece.size());
+    return {static_cast<std::uint32_t>(crc), piece.size()};
+  }
+
+
+  std::string
+  checksum_of_pieces(const std::vector<CheckedPiece> &pieces)
+  {
+    uLong crc = 0;
+    for (const CheckedPiece &piece : pieces)
+      crc = crc32_combine(crc, piece.crc, static_cast<z_off_t>(piece.size));
 
     char digits[9];
-    std::snprintf(digits,
-                  sizeof digits,
-                  "%08lx",
-                  static_cast<unsigned long>(crc.checksum()));
+    std::snprintf(digits, sizeof digits, "%08lx", crc);
     return digits;
   }
 

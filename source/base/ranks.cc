@@ -73,6 +73,15 @@ namespace Waker
   }
 
 
+  std::string
+  shared(const std::string &text, const MPI_Comm communicator)
+  {
+    return n_ranks(communicator) == 1
+             ? text
+             : Utilities::MPI::broadcast(communicator, text);
+  }
+
+
   void
   share(const MPI_Comm communicator, std::vector<double> &numbers)
   {

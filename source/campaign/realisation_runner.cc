@@ -3,6 +3,7 @@
 
 #include <waker/base/errors.h>
 #include <waker/base/host.h>
+#include <waker/base/ranks.h>
 #include <waker/campaign/realisation_runner.h>
 #include <waker/campaign/unfinished.h>
 #include <waker/simulation/run_to_end.h>
@@ -44,16 +45,6 @@ namespace Waker
     }
 
 
-    /// What the first rank has.
-    std::string
-    shared(const std::string &bytes, const MPI_Comm communicator)
-    {
-      return Utilities::MPI::n_mpi_processes(communicator) == 1
-               ? bytes
-               : Utilities::MPI::broadcast(communicator, bytes);
-    }
-
-
     /// Traces the geometry, looks at the first slide, and keeps all that for
     /// another process.
     template <int dim>
@@ -75,12 +66,15 @@ namespace Waker
         , keeper(keeper)
       {}
 
-      /// Called unless the moment is the last one.
-      bool
-      wants_all() override
+      Wanted
+      wants(const StopReason /*stop*/, const bool last) override
       {
-        is_due = keeper.is_due(state.time, false);
-        return is_due || is_first_look_due();
+        Wanted wanted;
+        if (last)
+          return wanted; // it has all
+        is_due     = keeper.is_due(state.time, false);
+        wanted.all = is_due || is_first_look_due();
+        return wanted;
       }
 
       void

@@ -145,6 +145,14 @@ namespace Waker
   {
     exchange.gather(*whole);
     places_are_known = true;
+    complete_nodes(all);
+  }
+
+
+  template <int dim>
+  void
+  RankPart<dim>::complete_nodes(NodalState &all) const
+  {
     gather_mass(all.mass);
     const auto gather = [&](const NodalVector &mine, NodalVector &theirs) {
       theirs.reinit(dim * the_case->grid.n_nodes());

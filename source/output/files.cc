@@ -3,6 +3,7 @@
 #include <waker/base/file_error.h>
 #include <waker/output/files.h>
 
+#include "temporary_file.h"
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -121,36 +122,49 @@ namespace Waker
 
 
 
+  TemporaryFile::TemporaryFile(const std::string &path)
+    : name(path + ".tmp")
+    , descriptor(create_new(name))
+  {
+    for (unsigned int number = 1; descriptor < 0 && errno == EEXIST; ++number)
+      {
+        name       = path + "." + std::to_string(number) + ".tmp";
+        descriptor = create_new(name);
+      }
+    error = descriptor < 0 ? errno : 0;
+  }
+
+
+
+  int
+  finish(const TemporaryFile &file, const std::string &path, int error)
+  {
+    // A signal in it does not leave it open.
+    if (::close(file.descriptor) != 0 && error == 0 && errno != EINTR)
+      error = errno;
+    if (error == 0 && std::rename(file.name.c_str(), path.c_str()) != 0)
+      error = errno;
+    if (error != 0)
+      std::remove(file.name.c_str());
+    return error;
+  }
+
+
+
   void
   write_file(const std::string &path,
              const std::string &contents,
              const bool         to_disk)
   {
-    // A name of our own: the tasks of a job array may write the same file at
-    // the same time. One that a killed process has left stays.
-    std::string temporary  = path + ".tmp";
-    int         descriptor = create_new(temporary);
-    for (unsigned int number = 1; descriptor < 0 && errno == EEXIST; ++number)
-      {
-        temporary  = path + "." + std::to_string(number) + ".tmp";
-        descriptor = create_new(temporary);
-      }
-    if (descriptor < 0)
-      throw_cannot_write(temporary, errno);
-
-    const bool written = write_all(descriptor, contents) == contents.size() &&
-                         (!to_disk || sync_descriptor(descriptor));
-    int error = written ? 0 : errno;
-    // A signal in it does not leave it open.
-    if (::close(descriptor) != 0 && error == 0 && errno != EINTR)
-      error = errno;
-    if (error == 0 && std::rename(temporary.c_str(), path.c_str()) != 0)
-      error = errno;
+    const TemporaryFile file(path);
+    if (file.error != 0)
+      throw_cannot_write(file.name, file.error);
+    const bool written =
+      write_all(file.descriptor, contents) == contents.size() &&
+      (!to_disk || sync_descriptor(file.descriptor));
+    const int error = finish(file, path, written ? 0 : errno);
     if (error != 0)
-      {
-        std::remove(temporary.c_str());
-        throw_cannot_write(path, error);
-      }
+      throw_cannot_write(path, error);
 
     // The new name is safe only once the folder is on the disk, too.
     if (to_disk)

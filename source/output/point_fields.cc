@@ -3,30 +3,23 @@
 
 #include <waker/particles/material_points.h>
 
-#include <array>
 #include <cmath>
 
 namespace Waker
 {
-  namespace
-  {
-    /// Numbers of the scalars whose product is the yield stress: it goes with
-    /// the soil, and with the random fields of what decides on it.
-    template <int dim>
-    std::array<int, 2>
-    yield_stress_factors(const MaterialPoints<dim> &points)
-    {
-      return {{points.find_scalar("initial vertical stress"),
-               points.find_scalar("overconsolidation ratio")}};
-    }
-  } // namespace
+  template <int dim>
+  PointFields<dim>::PointFields(const MaterialPoints<dim> &points,
+                                const PointVectors<dim>   &vectors)
+    : points(points)
+    , vectors(vectors)
+    , vertical_stress(points.find_scalar("initial vertical stress"))
+    , overconsolidation_ratio(points.find_scalar("overconsolidation ratio"))
+  {}
 
 
   template <int dim>
   void
-  add_point_fields(VtuFile                   &file,
-                   const MaterialPoints<dim> &points,
-                   const PointVectors<dim>   &vectors)
+  PointFields<dim>::declare(VtuFile &file) const
   {
     file.add_scalar("id", "", VtuFile::Type::id);
     file.add_scalar("material", "", VtuFile::Type::number);
@@ -45,8 +38,7 @@ namespace Waker
       file.add_scalar(name, "kPa");
     for (const NamedArray &scalar : points.scalars)
       file.add_scalar(scalar.name, "");
-    const auto [stress, ratio] = yield_stress_factors(points);
-    if (stress >= 0 && ratio >= 0)
+    if (vertical_stress >= 0 && overconsolidation_ratio >= 0)
       file.add_scalar("yield stress", "kPa");
     for (const PointVector<dim> &vector : vectors)
       {
@@ -58,10 +50,7 @@ namespace Waker
 
   template <int dim>
   void
-  add_point_values(VtuFile                   &file,
-                   const MaterialPoints<dim> &points,
-                   const PointVectors<dim>   &vectors,
-                   const std::size_t          p)
+  PointFields<dim>::add_values(const std::size_t p, VtuFile &file) const
   {
     file.add_value(static_cast<double>(points.id[p]));
     file.add_value(points.material[p]);
@@ -82,31 +71,14 @@ namespace Waker
 
     for (const NamedArray &scalar : points.scalars)
       file.add_value(scalar.values[p]);
-    const auto [v, ratio] = yield_stress_factors(points);
-    if (v >= 0 && ratio >= 0)
-      file.add_value(points.scalars[v].values[p] *
-                     points.scalars[ratio].values[p]);
+    if (vertical_stress >= 0 && overconsolidation_ratio >= 0)
+      file.add_value(points.scalars[vertical_stress].values[p] *
+                     points.scalars[overconsolidation_ratio].values[p]);
     for (const PointVector<dim> &vector : vectors)
       file.add_value((*vector.values)[p]);
   }
 
 
-  template void
-  add_point_fields(VtuFile &,
-                   const MaterialPoints<2> &,
-                   const PointVectors<2> &);
-  template void
-  add_point_fields(VtuFile &,
-                   const MaterialPoints<3> &,
-                   const PointVectors<3> &);
-  template void
-  add_point_values(VtuFile &,
-                   const MaterialPoints<2> &,
-                   const PointVectors<2> &,
-                   const std::size_t);
-  template void
-  add_point_values(VtuFile &,
-                   const MaterialPoints<3> &,
-                   const PointVectors<3> &,
-                   const std::size_t);
+  template class PointFields<2>;
+  template class PointFields<3>;
 } // namespace Waker

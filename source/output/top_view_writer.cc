@@ -31,7 +31,8 @@ namespace Waker
   {
     VtuFile file(dim == 2 ? VtuFile::Cell::line : VtuFile::Cell::quadrilateral);
     file.add_scalar("height", "m");
-    add_point_fields<dim>(file, points, {});
+    const PointFields<dim> fields(points);
+    fields.declare(file);
     for (unsigned int k = 0; k < view.n_z; ++k)
       for (unsigned int i = 0; i < view.n_x; ++i)
         if (view.has_soil(i, k))
@@ -44,7 +45,7 @@ namespace Waker
                                         height,
                                         view.z + (k + corner[1]) * view.side));
                 file.add_value(height);
-                add_point_values<dim>(file, points, {}, view.point[square]);
+                fields.add_values(view.point[square], file);
               }
           }
     return file.write(time, path);

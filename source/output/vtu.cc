@@ -2,21 +2,23 @@
 #include "vtu.h"
 
 #include <deal.II/base/exceptions.h>
-#include <deal.II/base/utilities.h>
 
-#include <waker/base/hash.h>
-#include <waker/output/files.h>
+#include <waker/base/ranks.h>
 
+#include "data_array.h"
+#include "joint_file.h"
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
-#include <cstring>
-#include <zlib.h>
+#include <numeric>
 
 namespace Waker
 {
   namespace
   {
+    constexpr std::size_t position_size = 3 * sizeof(double);
+
+
     /// Of a cell; 0: it has any number.
     unsigned int
     n_vertices(const VtuFile::Cell cell)
@@ -67,57 +69,46 @@ namespace Waker
     }
 
 
-    /// VTK's blocks: how many, their size, size of the last; sizes when
-    /// compressed; and the data.
-    std::string
-    compressed(const void *const data, const std::size_t n_bytes)
-    {
-      constexpr std::size_t      largest = std::size_t(1) << 26;
-      const auto                *source  = static_cast<const Bytef *>(data);
-      std::vector<std::uint32_t> header  = {
-         0, static_cast<std::uint32_t>(std::min(largest, n_bytes)), 0};
-      std::vector<unsigned char> packed;
-      for (std::size_t begin = 0; begin < n_bytes; begin += largest)
-        {
-          const std::size_t n     = std::min(largest, n_bytes - begin);
-          const std::size_t start = packed.size();
-          uLongf            size  = compressBound(n);
-          packed.resize(start + size);
-          const int status =
-            compress2(&packed[start], &size, source + begin, n, Z_BEST_SPEED);
-          AssertThrow(status == Z_OK, ExcMessage("zlib cannot compress"));
-          packed.resize(start + size);
-          ++header[0];
-          header[2] = n;
-          header.push_back(size);
-        }
-      std::vector<unsigned char> bytes(header.size() * sizeof(header[0]));
-      std::memcpy(bytes.data(), header.data(), bytes.size());
-      return Utilities::encode_base64(bytes) + Utilities::encode_base64(packed);
-    }
-
-
-    /// A <DataArray>. Without entries as text: some readers take an empty
-    /// compressed array for a damaged one.
     template <typename T>
-    std::string
-    array(const char *const     type,
-          const std::string    &attributes,
-          const std::vector<T> &data)
+    void
+    append(const T value, std::vector<char> &data)
     {
-      std::string text = std::string("<DataArray type=\"") + type + "\"" +
-                         attributes + " format=\"" +
-                         (data.empty() ? "ascii" : "binary") + "\">\n";
-      if (!data.empty())
-        text += compressed(data.data(), data.size() * sizeof(T));
-      return text + "\n</DataArray>\n";
+      const char *const bytes = reinterpret_cast<const char *>(&value);
+      data.insert(data.end(), bytes, bytes + sizeof(T));
+    }
+
+
+    template <typename T>
+    std::vector<char>
+    bytes_of(const std::vector<T> &values)
+    {
+      const char *const begin = reinterpret_cast<const char *>(values.data());
+      return std::vector<char>(begin, begin + values.size() * sizeof(T));
     }
 
 
     std::string
-    name(const char *const text)
+    type_name(const VtuFile::Type type)
     {
-      return std::string(" Name=\"") + text + "\"";
+      switch (type)
+        {
+          case VtuFile::Type::real:
+            return "Float32";
+          case VtuFile::Type::number:
+            return "Int32";
+          case VtuFile::Type::id:
+            return "Int64";
+        }
+      Assert(false, ExcInternalError());
+      return "";
+    }
+
+
+    /// Bytes of a value.
+    std::size_t
+    size_of(const VtuFile::Type type)
+    {
+      return type == VtuFile::Type::id ? 8 : 4;
     }
   } // namespace
 
@@ -128,14 +119,22 @@ namespace Waker
 
 
   void
+  VtuFile::reserve(const std::size_t n_points)
+  {
+    positions.reserve(n_points * position_size);
+    for (Field &field : fields)
+      field.data.reserve(n_points * field.n_components * size_of(field.type));
+  }
+
+
+  void
   VtuFile::add_scalar(const std::string &name,
                       const std::string &unit,
                       const Type         type)
   {
     std::string safe = name;
     std::replace(safe.begin(), safe.end(), ' ', '_');
-    fields.push_back({safe, unit, type, 1});
-    ++row_length;
+    fields.push_back({safe, unit, type, 1, {}});
   }
 
 
@@ -144,7 +143,6 @@ namespace Waker
   {
     add_scalar(name, unit);
     fields.back().n_components = 3;
-    row_length += 2;
   }
 
 
@@ -152,16 +150,32 @@ namespace Waker
   void
   VtuFile::add_point(const Point<dim> &x)
   {
-    AssertDimension(values.size() * 3, positions.size() * row_length);
+    AssertDimension(next_field + next_component, 0);
     for (unsigned int d = 0; d < 3; ++d)
-      positions.push_back(d < dim ? x[d] : 0.);
+      append(d < dim ? x[d] : 0., positions);
   }
 
 
   void
   VtuFile::add_value(const double value)
   {
-    values.push_back(value);
+    Field &field = fields[next_field];
+    switch (field.type)
+      {
+        case Type::real:
+          append(static_cast<float>(value), field.data);
+          break;
+        case Type::number:
+          append(static_cast<std::int32_t>(value), field.data);
+          break;
+        case Type::id:
+          append(static_cast<std::int64_t>(value), field.data);
+          break;
+      }
+    if (++next_component < field.n_components)
+      return;
+    next_component = 0;
+    next_field     = (next_field + 1) % fields.size();
   }
 
 
@@ -170,7 +184,7 @@ namespace Waker
   VtuFile::add_value(const Tensor<1, dim> &value)
   {
     for (unsigned int d = 0; d < 3; ++d)
-      values.push_back(d < dim ? value[d] : 0.);
+      add_value(d < dim ? value[d] : 0.);
   }
 
 
@@ -178,109 +192,118 @@ namespace Waker
   VtuFile::end_polyline()
   {
     Assert(cell == Cell::polyline, ExcInternalError());
-    polyline_ends.push_back(static_cast<std::int64_t>(positions.size() / 3));
+    polyline_ends.push_back(static_cast<std::int64_t>(n_points()));
+  }
+
+
+  std::size_t
+  VtuFile::n_points() const
+  {
+    return positions.size() / position_size;
   }
 
 
   std::vector<std::int64_t>
-  VtuFile::cell_ends() const
+  VtuFile::cell_ends(const RowsInOrder &rows) const
   {
     if (cell == Cell::polyline)
       return polyline_ends;
-    const std::size_t  n_points = positions.size() / 3;
-    const unsigned int n        = n_vertices(cell);
-    AssertDimension(n_points % n, 0);
-    std::vector<std::int64_t> ends(n_points / n);
-    for (std::size_t k = 0; k < ends.size(); ++k)
-      ends[k] = static_cast<std::int64_t>((k + 1) * n);
+    const unsigned int n = n_vertices(cell);
+    AssertDimension(rows.n_all % n, 0);
+    std::vector<std::int64_t> ends;
+    for (std::size_t p = rows.begin; p < rows.end; p += n)
+      ends.push_back(static_cast<std::int64_t>(p + n));
     return ends;
-  }
-
-
-  std::string
-  VtuFile::field_data(const Field &field, const unsigned int first) const
-  {
-    const std::size_t n_points = positions.size() / 3;
-    const auto        collect  = [&](auto &data) {
-      using T = typename std::decay_t<decltype(data)>::value_type;
-      data.reserve(n_points * field.n_components);
-      for (std::size_t p = 0; p < n_points; ++p)
-        for (unsigned int c = 0; c < field.n_components; ++c)
-          data.push_back(static_cast<T>(values[p * row_length + first + c]));
-    };
-    std::string attributes = name(escaped(field.name).c_str());
-    if (field.n_components > 1)
-      attributes +=
-        " NumberOfComponents=\"" + std::to_string(field.n_components) + "\"";
-    if (!field.unit.empty())
-      attributes += " units=\"" + escaped(field.unit) + "\"";
-    if (field.type == Type::real)
-      {
-        std::vector<float> data;
-        collect(data);
-        return array("Float32", attributes, data);
-      }
-    if (field.type == Type::number)
-      {
-        std::vector<std::int32_t> data;
-        collect(data);
-        return array("Int32", attributes, data);
-      }
-    std::vector<std::int64_t> data;
-    collect(data);
-    return array("Int64", attributes, data);
   }
 
 
   std::string
   VtuFile::write(const double time, const std::string &path) const
   {
-    const std::size_t n_points = positions.size() / 3;
-    AssertDimension(values.size(), n_points * row_length);
+    return write(time, path, OwnRows(n_points()));
+  }
 
-    std::vector<std::int64_t> connectivity(n_points);
-    for (std::size_t p = 0; p < n_points; ++p)
-      connectivity[p] = p;
-    std::vector<std::int64_t>  offsets = cell_ends();
-    std::vector<unsigned char> types(offsets.size(),
+
+  std::string
+  VtuFile::write(const double       time,
+                 const std::string &path,
+                 const OwnRows     &own) const
+  {
+    AssertDimension(next_field + next_component, 0);
+    Assert(own.numbers == nullptr || cell == Cell::vertex, ExcNotImplemented());
+    const RowsInOrder         rows(own, rows_per_block);
+    std::vector<std::int64_t> connectivity(rows.end - rows.begin);
+    std::iota(connectivity.begin(),
+              connectivity.end(),
+              static_cast<std::int64_t>(rows.begin));
+    std::vector<std::int64_t>  ends = cell_ends(rows);
+    std::vector<unsigned char> types(ends.size(),
                                      static_cast<unsigned char>(cell));
-    if (offsets.empty())
+    std::size_t                n_cells =
+      cell == Cell::polyline ? ends.size() : rows.n_all / n_vertices(cell);
+    if (n_cells == 0)
       {
         // A polygon without corners: the one cell that both ParaView and
         // meshio read without any point.
-        offsets = {0};
-        types   = {7};
+        n_cells = 1;
+        if (is_first_rank(own.communicator))
+          {
+            ends  = {0};
+            types = {7};
+          }
       }
 
     char time_text[32];
     std::snprintf(time_text, sizeof time_text, "%.17g", time);
-    std::string text =
+    JointFile file(own.communicator);
+    file.add_text(
       "<?xml version=\"1.0\"?>\n"
       "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" "
       "compressor=\"vtkZLibDataCompressor\" byte_order=\"LittleEndian\">\n"
       "<UnstructuredGrid>\n"
       "<FieldData>\n"
       "<DataArray type=\"Float64\" Name=\"TIME\" NumberOfTuples=\"1\" "
-      "format=\"ascii\">";
-    text += time_text;
-    text +=
+      "format=\"ascii\">" +
+      std::string(time_text) +
       "</DataArray>\n</FieldData>\n<Piece NumberOfPoints=\"" +
-      std::to_string(n_points) + "\" NumberOfCells=\"" +
-      std::to_string(offsets.size()) + "\">\n<Points>\n" +
-      array("Float64", " NumberOfComponents=\"3\" units=\"m\"", positions) +
-      "</Points>\n<Cells>\n" +
-      array("Int64", name("connectivity"), connectivity) +
-      array("Int64", name("offsets"), offsets) +
-      array("UInt8", name("types"), types) + "</Cells>\n<PointData>\n";
-    unsigned int first = 0;
+      std::to_string(rows.n_all) + "\" NumberOfCells=\"" +
+      std::to_string(n_cells) + "\">\n<Points>\n");
+    std::vector<char> buffer;
+    const auto        add = [&](const std::string       &attributes,
+                         const std::vector<char> &values,
+                         const std::size_t        n_all,
+                         const std::size_t        size) {
+      add_data_array(attributes, values, n_all, size, file);
+    };
+    add("type=\"Float64\" NumberOfComponents=\"3\" units=\"m\"",
+        rows.values(positions, position_size, buffer),
+        rows.n_all,
+        position_size);
+    file.add_text("</Points>\n<Cells>\n");
+    add("type=\"Int64\" Name=\"connectivity\"",
+        bytes_of(connectivity),
+        rows.n_all,
+        8);
+    add("type=\"Int64\" Name=\"offsets\"", bytes_of(ends), n_cells, 8);
+    add("type=\"UInt8\" Name=\"types\"", bytes_of(types), n_cells, 1);
+    file.add_text("</Cells>\n<PointData>\n");
     for (const Field &field : fields)
       {
-        text += field_data(field, first);
-        first += field.n_components;
+        std::string attributes = "type=\"" + type_name(field.type) +
+                                 "\" Name=\"" + escaped(field.name) + "\"";
+        if (field.n_components > 1)
+          attributes += " NumberOfComponents=\"" +
+                        std::to_string(field.n_components) + "\"";
+        if (!field.unit.empty())
+          attributes += " units=\"" + escaped(field.unit) + "\"";
+        const std::size_t size = field.n_components * size_of(field.type);
+        add(attributes,
+            rows.values(field.data, size, buffer),
+            rows.n_all,
+            size);
       }
-    text += "</PointData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
-    write_file(path, text);
-    return checksum_of_text(text);
+    file.add_text("</PointData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
+    return file.write(path);
   }
 
 

@@ -4,6 +4,8 @@
 
 #include <deal.II/base/point.h>
 
+#include <waker/base/own_rows.h>
+
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -23,8 +25,9 @@ namespace Waker
    * given, and a file without cells holds one cell without points: ParaView
    * and meshio read it, with all its fields.
    *
-   * Data are compressed (zlib, inline, base64). Nothing in the file depends on
-   * the date: the same state makes the same file.
+   * Data are compressed (zlib, inline, base64), so many rows at a time
+   * (rows_per_block). Nothing in the file depends on the date, or on how many
+   * ranks write it: the same state makes the same file.
    */
   class VtuFile
   {
@@ -50,6 +53,10 @@ namespace Waker
     };
 
     explicit VtuFile(const Cell cell);
+
+    /// So many points will come.
+    void
+    reserve(const std::size_t n_points);
 
     /// @param name blanks become "_", what XML does not allow is replaced by
     ///        its entities
@@ -87,26 +94,35 @@ namespace Waker
     std::string
     write(const double time, const std::string &path) const;
 
+    /// The same of points that ranks share, each of which is a cell: all ranks
+    /// write the one file together. Collective.
+    /// @param rows which of all points have been added here
+    std::string
+    write(const double       time,
+          const std::string &path,
+          const OwnRows     &rows) const;
+
   private:
     struct Field
     {
-      std::string  name;
-      std::string  unit;
-      Type         type;
-      unsigned int n_components; // in the file
+      std::string       name;
+      std::string       unit;
+      Type              type;
+      unsigned int      n_components; // in the file
+      std::vector<char> data;         // of all points so far
     };
 
-    std::string
-    field_data(const Field &field, const unsigned int first) const;
+    std::size_t
+    n_points() const;
 
+    /// Of cells that begin at these points of this rank.
     std::vector<std::int64_t>
-    cell_ends() const;
+    cell_ends(const RowsInOrder &rows) const;
 
     Cell                      cell;
     std::vector<Field>        fields;
-    unsigned int              row_length = 0;
-    std::vector<double>       positions;     // three per point
-    std::vector<double>       values;        // row_length per point
+    unsigned int              next_field = 0, next_component = 0;
+    std::vector<char>         positions;     // three doubles per point
     std::vector<std::int64_t> polyline_ends; // points before each end
   };
 } // namespace Waker

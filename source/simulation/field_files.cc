@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/ranks.h>
 #include <waker/loads/liquid.h>
 #include <waker/output/grid_writer.h>
 #include <waker/output/particle_writer.h>
@@ -7,6 +8,8 @@
 #include <waker/output/traction_writer.h>
 #include <waker/output/wall_writer.h>
 #include <waker/simulation/field_files.h>
+
+#include <deque>
 
 namespace Waker
 {
@@ -48,20 +51,24 @@ namespace Waker
   void
   FieldFiles<dim>::add(const FieldSeries which,
                        const double      time,
-                       const Function   &f)
+                       const Function   &f,
+                       const MPI_Comm    ranks)
   {
     PvdSeries        &files    = series[static_cast<std::size_t>(which)];
-    const std::string checksum = f(files.next_path());
-    files.add(time, checksum);
+    const std::string checksum = f(shared(files.next_path(), ranks));
+    if (is_first_rank(ranks))
+      files.add(time, checksum);
   }
 
 
   template <int dim>
   void
-  FieldFiles<dim>::write(const StepView<dim> &view)
+  FieldFiles<dim>::write(const StepView<dim> &view, const OwnPoints<dim> &own)
   {
     if (output.particles)
-      write_particles(view);
+      write_particles(view, own);
+    if (!is_first_rank(own.rows.communicator))
+      return;
     if (output.surface)
       write_surfaces(view);
     if (output.grid)
@@ -73,22 +80,31 @@ namespace Waker
 
   template <int dim>
   void
-  FieldFiles<dim>::write_particles(const StepView<dim> &view)
+  FieldFiles<dim>::write_particles(const StepView<dim>  &view,
+                                   const OwnPoints<dim> &own)
   {
     const State<dim> &state = view.state;
     PointVectors<dim> loads;
+    // A rank without points has none of their arrays.
     if (!state.points.load.empty())
-      loads.push_back({"load", "kN", &state.points.load});
+      loads.push_back({"load", "kN", &own.points.load});
+    std::deque<std::vector<Tensor<1, dim>>> of_tractions;
     for (std::size_t i = 0; i < view.scene.tractions.size(); ++i)
       {
         const auto traction = view.scene.tractions.view(i);
-        if (!traction.point_loads->empty())
-          loads.push_back(
-            {"load_" + traction.name, "kN", traction.point_loads});
+        if (traction.point_loads->empty())
+          continue;
+        of_tractions.push_back(own.rows.of(*traction.point_loads));
+        loads.push_back({"load_" + traction.name, "kN", &of_tractions.back()});
       }
-    add(FieldSeries::particles, state.time, [&](const std::string &path) {
-      return Waker::write_particles(state.points, state.time, path, loads);
-    });
+    add(
+      FieldSeries::particles,
+      state.time,
+      [&](const std::string &path) {
+        return Waker::write_particles(
+          own.points, own.rows, state.time, path, loads);
+      },
+      own.rows.communicator);
   }
 
 

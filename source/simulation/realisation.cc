@@ -171,12 +171,30 @@ namespace Waker
 
   template <int dim>
   void
-  Realisation<dim>::complete()
+  Realisation<dim>::complete(const Wanted &wanted)
   {
-    if (!part)
+    if (!part || !(wanted.places || wanted.nodes || wanted.all))
       return;
-    part->complete(scene.nodes);
+    if (wanted.all)
+      part->complete(scene.nodes);
+    else
+      {
+        part->know_places();
+        if (wanted.nodes)
+          part->complete_nodes(scene.nodes);
+      }
     scene.surfaces.look_at_whole(state->points);
+  }
+
+
+  template <int dim>
+  Wanted
+  Realisation<dim>::wanted_by_any(const Wanted &mine) const
+  {
+    // Nothing, at most times.
+    if (!part || !any(mine.files || mine.places || mine.nodes || mine.all))
+      return mine;
+    return {any(mine.files), any(mine.places), any(mine.nodes), any(mine.all)};
   }
 
 

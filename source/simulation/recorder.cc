@@ -176,31 +176,45 @@ namespace Waker
 
 
   template <int dim>
-  void
-  Recorder<dim>::record(const StepView<dim> &view, const bool last)
+  Wanted
+  Recorder<dim>::wants(const double time, const bool stops) const
   {
-    const double time = view.state.time;
-    statistics->begin_row(view.state.step);
-    StatisticsRow row(*statistics);
-    row.add("Time (s)", time);
-    for (const auto &observer : observers)
-      observer->observe(view, row);
-    statistics->end_row();
-
-    if (last || is_due(time, next_fields))
-      {
-        fields.write(view);
-        next_fields = next_multiple(time, parameters->output.interval);
-        statistics->flush();
-      }
+    const OutputParameters &output = parameters->output;
+    Wanted                  wanted;
+    wanted.files  = stops || is_due(time, next_fields);
+    wanted.places = wanted.files && (output.surface || output.grid);
+    wanted.nodes  = wanted.files && output.grid;
+    wanted.all =
+      (wanted.files && output.top_view) || is_due(time, next_checkpoint);
+    return wanted;
   }
 
 
   template <int dim>
-  bool
-  Recorder<dim>::writes_fields_at(const double time) const
+  void
+  Recorder<dim>::write_files(const StepView<dim>  &view,
+                             const OwnPoints<dim> &own)
   {
-    return is_due(time, next_fields) || is_due(time, next_checkpoint);
+    fields.write(view, own);
+    next_fields   = next_multiple(view.state.time, parameters->output.interval);
+    files_are_new = true;
+  }
+
+
+  template <int dim>
+  void
+  Recorder<dim>::record(const StepView<dim> &view)
+  {
+    statistics->begin_row(view.state.step);
+    StatisticsRow row(*statistics);
+    row.add("Time (s)", view.state.time);
+    for (const auto &observer : observers)
+      observer->observe(view, row);
+    statistics->end_row();
+
+    if (files_are_new)
+      statistics->flush();
+    files_are_new = false;
   }
 
 

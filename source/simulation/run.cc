@@ -181,6 +181,29 @@ namespace Waker
     }
 
 
+    /// On a rank after the first: it writes what all write together.
+    template <int dim>
+    class FileWatcher : public Watcher
+    {
+    public:
+      FileWatcher(const OutputParameters &output,
+                  const Realisation<dim> &realisation)
+        : realisation(realisation)
+        , fields(output)
+      {}
+
+      void
+      write_files() override
+      {
+        fields.write(realisation.view(), realisation.own());
+      }
+
+    private:
+      const Realisation<dim> &realisation;
+      FieldFiles<dim>         fields;
+    };
+
+
     /// What the ranks after the first do, which alone has the folder and
     /// speaks to the user.
     template <int dim>
@@ -204,10 +227,10 @@ namespace Waker
           if (options.resume)
             share_state(communicator, state);
           Realisation<dim> realisation(the_case, state);
-          Watcher          nobody;
+          FileWatcher<dim> watcher(the_case.parameters.output, realisation);
           try
             {
-              return run_to_end(realisation, nobody, options.interrupt) ==
+              return run_to_end(realisation, watcher, options.interrupt) ==
                          StopReason::none
                        ? RunStatus::interrupted
                        : RunStatus::completed;

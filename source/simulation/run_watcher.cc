@@ -167,7 +167,7 @@ namespace Waker
 
   template <int dim>
   void
-  RunWatcher<dim>::looked(const StopReason stop, const bool last)
+  RunWatcher<dim>::looked(const StopReason /*stop*/, const bool last)
   {
     report_events(failure, state.failure, log);
     report_tractions(parameters.tractions, tractions, state.tractions, log);
@@ -180,7 +180,7 @@ namespace Waker
     loads            = state.loads;
     if (is_new)
       {
-        recorder.record(realisation.view(), stop != StopReason::none);
+        recorder.record(realisation.view());
         recorder.checkpoint(state, last);
       }
     is_new = true;
@@ -188,10 +188,19 @@ namespace Waker
 
 
   template <int dim>
-  bool
-  RunWatcher<dim>::wants_all()
+  Wanted
+  RunWatcher<dim>::wants(const StopReason stop, const bool /*last*/)
   {
-    return is_new && recorder.writes_fields_at(state.time);
+    return is_new ? recorder.wants(state.time, stop != StopReason::none)
+                  : Wanted();
+  }
+
+
+  template <int dim>
+  void
+  RunWatcher<dim>::write_files()
+  {
+    recorder.write_files(realisation.view(), realisation.own());
   }
 
 

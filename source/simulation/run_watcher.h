@@ -27,8 +27,11 @@ namespace Waker
     void
     looked(const StopReason stop, const bool last) override;
 
-    bool
-    wants_all() override;
+    Wanted
+    wants(const StopReason stop, const bool last) override;
+
+    void
+    write_files() override;
 
     void
     advanced() override;

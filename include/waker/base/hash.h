@@ -2,7 +2,9 @@
 #ifndef waker_base_hash_h
 #define waker_base_hash_h
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 namespace Waker
 {
@@ -16,6 +18,20 @@ namespace Waker
   /// four thousand millions. The key says what the text belongs to.
   std::string
   checksum_of_text(const std::string &text, const std::string &key = "");
+
+  /// What the checksum of a text needs of a piece of it.
+  struct CheckedPiece
+  {
+    std::uint32_t crc;
+    std::uint64_t size; // bytes
+  };
+
+  CheckedPiece
+  check_piece(const std::string &piece);
+
+  /// checksum_of_text() of the pieces, one after the other.
+  std::string
+  checksum_of_pieces(const std::vector<CheckedPiece> &pieces);
 
   /**
    * A JSON object on one line with the checksum of the rest of it and of `key`

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace Waker
@@ -49,6 +50,10 @@ namespace Waker
   void
   first_rank_does(const MPI_Comm               communicator,
                   const std::function<void()> &action);
+
+  /// The first rank's text. Collective.
+  std::string
+  shared(const std::string &text, const MPI_Comm communicator);
 
   /// The first rank's numbers, of which each rank has room for as many.
   /// Collective.

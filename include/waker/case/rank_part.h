@@ -104,6 +104,10 @@ namespace Waker
     void
     complete(NodalState &nodes);
 
+    /// The nodes alone.
+    void
+    complete_nodes(NodalState &nodes) const;
+
     /// What this rank has sent so far.
     NodeExchange::Traffic
     traffic() const

@@ -2,6 +2,7 @@
 #ifndef waker_particles_point_exchange_h
 #define waker_particles_point_exchange_h
 
+#include <waker/base/own_rows.h>
 #include <waker/grid/partition.h>
 #include <waker/particles/material_points.h>
 
@@ -33,6 +34,13 @@ namespace Waker
     own()
     {
       return points;
+    }
+
+    /// Which of all points these are.
+    OwnRows
+    rows() const
+    {
+      return {communicator, n_whole, places};
     }
 
     /**

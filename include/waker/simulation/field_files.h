@@ -5,6 +5,7 @@
 #include <waker/observers/observer.h>
 #include <waker/output/parameters.h>
 #include <waker/output/pvd.h>
+#include <waker/simulation/realisation.h>
 
 #include <string>
 #include <vector>
@@ -12,7 +13,8 @@
 namespace Waker
 {
   /// The ParaView files of a run: all series, each with a file for each moment
-  /// that is written.
+  /// that is written. Those of the points are written by all ranks together,
+  /// the others by the first one, which alone keeps the series.
   template <int dim>
   class FieldFiles
   {
@@ -24,8 +26,9 @@ namespace Waker
     /// @param output kept by reference
     explicit FieldFiles(const OutputParameters &output);
 
+    /// Collective. The first rank's view has what Recorder::wants() says.
     void
-    write(const StepView<dim> &view);
+    write(const StepView<dim> &view, const OwnPoints<dim> &own);
 
     Entries
     entries() const;
@@ -36,12 +39,16 @@ namespace Waker
 
   private:
     /// Write a file with f(path), which returns its checksum, into a series.
+    /// @param ranks that write it together
     template <typename Function>
     void
-    add(const FieldSeries series, const double time, const Function &f);
+    add(const FieldSeries series,
+        const double      time,
+        const Function   &f,
+        const MPI_Comm    ranks = MPI_COMM_SELF);
 
     void
-    write_particles(const StepView<dim> &view);
+    write_particles(const StepView<dim> &view, const OwnPoints<dim> &own);
     void
     write_surfaces(const StepView<dim> &view);
     void

@@ -18,6 +18,27 @@
 
 namespace Waker
 {
+  /// What a rank asks for of a moment, beyond what each step leaves: places and
+  /// velocities of the points, as far as loads look at them, and what is
+  /// measured.
+  struct Wanted
+  {
+    bool files  = false; // to write files of it together with the others
+    bool places = false; // of all points
+    bool nodes  = false; // of the whole grid
+    bool all    = false; // state and nodes as they would be on one rank
+  };
+
+
+  /// The points that a rank has.
+  template <int dim>
+  struct OwnPoints
+  {
+    const MaterialPoints<dim> &points;
+    OwnRows                    rows; // which they are of those of the state
+  };
+
+
   /**
    * One realisation: the algorithm. The caller turns the handle:
    *
@@ -52,11 +73,24 @@ namespace Waker
     StepView<dim>
     view() const;
 
+    /// What any of the ranks wants. Collective.
+    Wanted
+    wanted_by_any(const Wanted &mine) const;
+
     /// On several ranks steps leave behind what nobody has asked for: from now
-    /// on until the next step all of the state and the nodes is as it should
-    /// be. Collective.
+    /// on until the next step this is as it should be. Collective.
+    /// @param wanted the same on all ranks
     void
-    complete();
+    complete(const Wanted &wanted = {true, true, true, true});
+
+    /// Those that this rank computes.
+    OwnPoints<dim>
+    own() const
+    {
+      return {own_points(),
+              part ? part->point_exchange().rows()
+                   : OwnRows(state->points.n_points())};
+    }
 
     /// What this rank has told others of nodes so far; nothing on one rank.
     NodeExchange::Traffic

@@ -40,15 +40,19 @@ namespace Waker
       return resume_warning;
     }
 
-    /// A row of statistics, and ParaView files if it is time.
-    /// @param last the last moment of the run: always written
+    /// What ParaView files and a checkpoint at this time (s) need, if it is
+    /// time for them.
+    /// @param stops the run ends with this moment: files are always written
+    Wanted
+    wants(const double time, const bool stops) const;
+
+    /// ParaView files. Collective: see FieldFiles.
     void
-    record(const StepView<dim> &view, const bool last);
+    write_files(const StepView<dim> &view, const OwnPoints<dim> &own);
 
-    /// Will record() or checkpoint() at this time (s) write the points?
-    bool
-    writes_fields_at(const double time) const;
-
+    /// A row of statistics. Comes after write_files().
+    void
+    record(const StepView<dim> &view);
 
     /// A checkpoint if it is time, or if `now`. Comes after record().
     void
@@ -72,8 +76,9 @@ namespace Waker
     std::vector<std::unique_ptr<Observer<dim>>> observers;
     std::unique_ptr<Statistics>                 statistics;
 
-    double next_fields     = 0.; // time of the next ParaView files, s
-    double next_checkpoint = 0.; // s
+    double next_fields     = 0.;    // time of the next ParaView files, s
+    double next_checkpoint = 0.;    // s
+    bool   files_are_new   = false; // those of a moment without a row yet
   };
 } // namespace Waker
 

@@ -20,14 +20,19 @@ namespace Waker
     looked(const StopReason /*stop*/, const bool /*last*/)
     {}
 
-    /// Will looked() ask for more of the moment than what each step leaves:
-    /// places and velocities of the points, and what is measured? Not asked of
-    /// the last moment, which has all.
-    virtual bool
-    wants_all()
+    /// What write_files() and looked(), with the same words, will ask for of
+    /// the moment. The last one has all.
+    virtual Wanted
+    wants(const StopReason /*stop*/, const bool /*last*/)
     {
-      return false;
+      return {};
     }
+
+    /// The files of the moment that ranks write together, before it is looked
+    /// at: on all ranks if one of them wants it.
+    virtual void
+    write_files()
+    {}
 
     /// It has made a step, at the end of which it has not looked yet.
     virtual void
@@ -55,8 +60,11 @@ namespace Waker
         const StopReason stop = realisation.look();
         const bool       last =
           stop != StopReason::none || realisation.any(interrupt.has_come());
-        if (realisation.any(last || watcher.wants_all()))
-          realisation.complete();
+        Wanted wanted = realisation.wanted_by_any(watcher.wants(stop, last));
+        wanted.all    = wanted.all || last;
+        realisation.complete(wanted);
+        if (wanted.files)
+          watcher.write_files();
         watcher.looked(stop, last);
         if (last)
           return stop;
