@@ -22,6 +22,19 @@ namespace Waker
   } // namespace
 
 
+  std::vector<int>
+  OwnRows::places() const
+  {
+    std::vector<int> places(n_all, -1);
+    if (numbers == nullptr)
+      std::iota(places.begin(), places.end(), 0);
+    else
+      for (std::size_t k = 0; k < numbers->size(); ++k)
+        places.at((*numbers)[k]) = static_cast<int>(k);
+    return places;
+  }
+
+
   RowsInOrder::RowsInOrder(const OwnRows &own, const std::size_t block)
     : communicator(own.communicator)
     , n_all(own.n_all)

@@ -107,12 +107,12 @@ namespace Waker
     std::string
     compressed(const MPI_Comm           communicator,
                const std::vector<char> &values,
-               const std::size_t        n_all,
-               const std::size_t        size)
+               const DataRows          &rows)
     {
-      const std::size_t block  = rows_per_block * size;
-      Blocks            blocks = compress(values, block);
-      const bool        alone  = n_ranks(communicator) == 1;
+      const std::size_t n_bytes = rows.n_all * rows.size;
+      const std::size_t block   = rows.per_block * rows.size;
+      Blocks            blocks  = compress(values, block);
+      const bool        alone   = n_ranks(communicator) == 1;
       const auto        told =
         alone ? std::vector<std::vector<std::uint32_t>>{told_of(blocks)}
                      : Utilities::MPI::all_gather(communicator, told_of(blocks));
@@ -122,11 +122,11 @@ namespace Waker
       if (me > 0)
         return text;
 
-      const std::size_t          n_blocks = (n_all * size + block - 1) / block;
+      const std::size_t          n_blocks = (n_bytes + block - 1) / block;
       std::vector<std::uint32_t> header   = {
           static_cast<std::uint32_t>(n_blocks),
-          static_cast<std::uint32_t>(std::min(block, n_all * size)),
-          static_cast<std::uint32_t>(n_all * size - (n_blocks - 1) * block)};
+          static_cast<std::uint32_t>(std::min(block, n_bytes)),
+          static_cast<std::uint32_t>(n_bytes - (n_blocks - 1) * block)};
       for (const std::vector<std::uint32_t> &of_rank : told)
         header.insert(header.end(), of_rank.begin() + 2, of_rank.end());
       AssertDimension(header.size(), 3 + n_blocks);
@@ -140,14 +140,13 @@ namespace Waker
   void
   add_data_array(const std::string       &attributes,
                  const std::vector<char> &values,
-                 const std::size_t        n_all,
-                 const std::size_t        size,
+                 const DataRows          &rows,
                  JointFile               &file)
   {
     file.add_text("<DataArray " + attributes + " format=\"" +
-                  (n_all == 0 ? "ascii" : "binary") + "\">\n");
-    if (n_all > 0)
-      file.add_part(compressed(file.communicator, values, n_all, size));
+                  (rows.n_all == 0 ? "ascii" : "binary") + "\">\n");
+    if (rows.n_all > 0)
+      file.add_part(compressed(file.communicator, values, rows));
     file.add_text("\n</DataArray>\n");
   }
 } // namespace Waker

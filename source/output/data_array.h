@@ -10,12 +10,21 @@
 namespace Waker
 {
   /**
-   * So many rows of an array are compressed together. On several ranks each
+   * Values of so many points are compressed together. On several ranks each
    * compresses its own, so their number must not depend on that of the ranks.
-   * Numbers of 4 bytes fill the window of 32 kB in which zlib looks back half:
-   * a file of 790,528 points is 0.8 % longer than with one block an array.
+   * Numbers of 4 bytes fill half of the window of 32 kB in which zlib looks
+   * back: a file of 790,528 points is 0.8 % longer than with one block an
+   * array.
    */
-  constexpr std::size_t rows_per_block = 4096;
+  constexpr std::size_t points_per_block = 4096;
+
+  /// Of an array.
+  struct DataRows
+  {
+    std::size_t n_all;     // of all ranks together
+    std::size_t per_block; // where a rank's rows begin is a multiple of it
+    std::size_t size;      // of one, bytes
+  };
 
   /**
    * Add a <DataArray> to a file: compressed (zlib), inline, in base64, as VTK
@@ -26,14 +35,11 @@ namespace Waker
    *
    * @param attributes of the tag
    * @param values of the rows in this rank's range
-   * @param n_all of the rows of all ranks
-   * @param size of a row, bytes
    */
   void
   add_data_array(const std::string       &attributes,
                  const std::vector<char> &values,
-                 const std::size_t        n_all,
-                 const std::size_t        size,
+                 const DataRows          &rows,
                  JointFile               &file);
 } // namespace Waker
 

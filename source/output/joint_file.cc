@@ -118,20 +118,17 @@ namespace Waker
                   communicator);
     const unsigned int me = Utilities::MPI::this_mpi_process(communicator);
     std::vector<CheckedPiece> pieces;
+    std::vector<MPI_Offset>   begins; // of the own parts
     std::size_t               n_bytes = 0;
     for (std::size_t k = 0; k < parts.size(); ++k)
-      {
-        longests.push_back(0);
-        for (unsigned int rank = 0; rank < n; ++rank)
-          {
-            const std::uint64_t *const piece = &all[rank * mine.size() + 2 * k];
-            if (rank == me)
-              begins.push_back(n_bytes);
-            pieces.push_back({static_cast<std::uint32_t>(piece[0]), piece[1]});
-            n_bytes += piece[1];
-            longests.back() = std::max<std::size_t>(longests.back(), piece[1]);
-          }
-      }
+      for (unsigned int rank = 0; rank < n; ++rank)
+        {
+          if (rank == me)
+            begins.push_back(static_cast<MPI_Offset>(n_bytes));
+          const std::uint64_t *const piece = &all[rank * mine.size() + 2 * k];
+          pieces.push_back({static_cast<std::uint32_t>(piece[0]), piece[1]});
+          n_bytes += piece[1];
+        }
 
     // What is wrong with the place shows when the first rank makes the file.
     std::optional<TemporaryFile> file;
@@ -144,7 +141,7 @@ namespace Waker
     error = error_of_any(file ? make_room(file->descriptor, n_bytes) : 0,
                          communicator);
     if (error == 0)
-      error = write_parts(name);
+      error = write_parts(name, begins);
     if (file)
       error = finish(*file, path, error);
     error = error_of_any(error, communicator);
@@ -155,38 +152,38 @@ namespace Waker
 
 
   int
-  JointFile::write_parts(const std::string &name) const
+  JointFile::write_parts(const std::string             &name,
+                         const std::vector<MPI_Offset> &begins) const
   {
-    MPI_File file;
-    int      error = error_of_any(
-      errno_of(MPI_File_open(
-        communicator, name.c_str(), MPI_MODE_WRONLY, MPI_INFO_NULL, &file)),
-      communicator);
+    // Only if it is there: a rank that does not see the folder must not make
+    // another file.
+    MPI_File  file;
+    const int opened = MPI_File_open(
+      communicator, name.c_str(), MPI_MODE_WRONLY, MPI_INFO_NULL, &file);
+    int error = error_of_any(errno_of(opened), communicator);
     if (error != 0)
       return error;
     for (std::size_t k = 0; k < parts.size(); ++k)
-      for (std::size_t begin = 0; begin < longests[k]; begin += most_at_once)
+      for (std::size_t from = 0; from < parts[k].size() && error == 0;
+           from += most_at_once)
         {
-          const std::size_t from = std::min(begin, parts[k].size());
-          const std::size_t size =
-            std::min(most_at_once, parts[k].size() - from);
+          const int size =
+            static_cast<int>(std::min(most_at_once, parts[k].size() - from));
           MPI_Status status;
-          const int  code =
-            MPI_File_write_at_all(file,
-                                  static_cast<MPI_Offset>(begins[k] + from),
-                                  parts[k].data() + from,
-                                  static_cast<int>(size),
-                                  MPI_BYTE,
-                                  &status);
+          error = errno_of(
+            MPI_File_write_at(file,
+                              begins[k] + static_cast<MPI_Offset>(from),
+                              parts[k].data() + from,
+                              size,
+                              MPI_BYTE,
+                              &status));
           int written = 0;
-          if (code == MPI_SUCCESS)
+          if (error == 0)
             MPI_Get_count(&status, MPI_BYTE, &written);
-          if (code == MPI_SUCCESS && written < static_cast<int>(size))
-            error = ENOSPC; // as write() has it
-          else if (code != MPI_SUCCESS)
-            error = errno_of(code);
+          if (error == 0 && written < size)
+            error = ENOSPC; // what write() means by it
         }
-    const int code = MPI_File_close(&file);
-    return error_of_any(error != 0 ? error : errno_of(code), communicator);
+    const int closed = MPI_File_close(&file);
+    return error_of_any(error != 0 ? error : errno_of(closed), communicator);
   }
 } // namespace Waker

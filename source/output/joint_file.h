@@ -47,15 +47,14 @@ namespace Waker
     const MPI_Comm communicator;
 
   private:
+    /// @param begins of the parts in the file
     /// @return an errno, or 0; the same on all ranks
     int
-    write_parts(const std::string &name) const;
+    write_parts(const std::string             &name,
+                const std::vector<MPI_Offset> &begins) const;
 
-    std::string              next;  // of the first rank: of the next part
+    std::string              next;  // on the first rank: of the next part
     std::vector<std::string> parts; // of this rank
-    // As write() has learned from the others:
-    std::vector<std::size_t> begins;   // of the parts, in the file
-    std::vector<std::size_t> longests; // of all ranks
   };
 } // namespace Waker
 

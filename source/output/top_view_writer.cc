@@ -26,9 +26,13 @@ namespace Waker
   std::string
   write_top_view(const TopView<dim>        &view,
                  const MaterialPoints<dim> &points,
+                 const OwnRows             &rows,
                  const double               time,
                  const std::string         &path)
   {
+    const std::vector<int>     places = rows.places();
+    std::vector<std::uint32_t> own; // corners
+    std::uint32_t              n = 0;
     VtuFile file(dim == 2 ? VtuFile::Cell::line : VtuFile::Cell::quadrilateral);
     file.add_scalar("height", "m");
     const PointFields<dim> fields(points);
@@ -39,16 +43,23 @@ namespace Waker
           {
             const unsigned int square = k * view.n_x + i;
             const double       height = view.height[square];
+            const int          p      = places[view.point[square]];
             for (const std::array<unsigned int, 2> &corner : corners<dim>())
               {
+                const std::uint32_t number = n++;
+                if (p < 0)
+                  continue; // another rank has it
+                own.push_back(number);
                 file.add_point(Point<3>(view.x + (i + corner[0]) * view.side,
                                         height,
                                         view.z + (k + corner[1]) * view.side));
                 file.add_value(height);
-                fields.add_values(view.point[square], file);
+                fields.add_values(p, file);
               }
           }
-    return file.write(time, path);
+    return rows.numbers == nullptr
+             ? file.write(time, path)
+             : file.write(time, path, {rows.communicator, n, own});
   }
 
 
@@ -75,11 +86,13 @@ namespace Waker
   template std::string
   write_top_view(const TopView<2> &,
                  const MaterialPoints<2> &,
+                 const OwnRows &,
                  const double,
                  const std::string &);
   template std::string
   write_top_view(const TopView<3> &,
                  const MaterialPoints<3> &,
+                 const OwnRows &,
                  const double,
                  const std::string &);
 } // namespace Waker

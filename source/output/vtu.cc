@@ -230,8 +230,12 @@ namespace Waker
                  const OwnRows     &own) const
   {
     AssertDimension(next_field + next_component, 0);
-    Assert(own.numbers == nullptr || cell == Cell::vertex, ExcNotImplemented());
-    const RowsInOrder         rows(own, rows_per_block);
+    const std::size_t n_in_cell = std::max(1u, n_vertices(cell));
+    // Blocks of points are whole cells.
+    Assert(own.numbers == nullptr ||
+             (cell != Cell::polyline && points_per_block % n_in_cell == 0),
+           ExcNotImplemented());
+    const RowsInOrder         rows(own, points_per_block);
     std::vector<std::int64_t> connectivity(rows.end - rows.begin);
     std::iota(connectivity.begin(),
               connectivity.end(),
@@ -240,7 +244,7 @@ namespace Waker
     std::vector<unsigned char> types(ends.size(),
                                      static_cast<unsigned char>(cell));
     std::size_t                n_cells =
-      cell == Cell::polyline ? ends.size() : rows.n_all / n_vertices(cell);
+      cell == Cell::polyline ? ends.size() : rows.n_all / n_in_cell;
     if (n_cells == 0)
       {
         // A polygon without corners: the one cell that both ParaView and
@@ -268,24 +272,30 @@ namespace Waker
       "</DataArray>\n</FieldData>\n<Piece NumberOfPoints=\"" +
       std::to_string(rows.n_all) + "\" NumberOfCells=\"" +
       std::to_string(n_cells) + "\">\n<Points>\n");
-    std::vector<char> buffer;
-    const auto        add = [&](const std::string       &attributes,
-                         const std::vector<char> &values,
-                         const std::size_t        n_all,
-                         const std::size_t        size) {
-      add_data_array(attributes, values, n_all, size, file);
+    const auto of_points = [&](const std::size_t size) {
+      return DataRows{rows.n_all, points_per_block, size};
     };
-    add("type=\"Float64\" NumberOfComponents=\"3\" units=\"m\"",
-        rows.values(positions, position_size, buffer),
-        rows.n_all,
-        position_size);
+    const auto of_cells = [&](const std::size_t size) {
+      return DataRows{n_cells, points_per_block / n_in_cell, size};
+    };
+    std::vector<char> buffer;
+    add_data_array("type=\"Float64\" NumberOfComponents=\"3\" units=\"m\"",
+                   rows.values(positions, position_size, buffer),
+                   of_points(position_size),
+                   file);
     file.add_text("</Points>\n<Cells>\n");
-    add("type=\"Int64\" Name=\"connectivity\"",
-        bytes_of(connectivity),
-        rows.n_all,
-        8);
-    add("type=\"Int64\" Name=\"offsets\"", bytes_of(ends), n_cells, 8);
-    add("type=\"UInt8\" Name=\"types\"", bytes_of(types), n_cells, 1);
+    add_data_array("type=\"Int64\" Name=\"connectivity\"",
+                   bytes_of(connectivity),
+                   of_points(8),
+                   file);
+    add_data_array("type=\"Int64\" Name=\"offsets\"",
+                   bytes_of(ends),
+                   of_cells(8),
+                   file);
+    add_data_array("type=\"UInt8\" Name=\"types\"",
+                   bytes_of(types),
+                   of_cells(1),
+                   file);
     file.add_text("</Cells>\n<PointData>\n");
     for (const Field &field : fields)
       {
@@ -297,10 +307,10 @@ namespace Waker
         if (!field.unit.empty())
           attributes += " units=\"" + escaped(field.unit) + "\"";
         const std::size_t size = field.n_components * size_of(field.type);
-        add(attributes,
-            rows.values(field.data, size, buffer),
-            rows.n_all,
-            size);
+        add_data_array(attributes,
+                       rows.values(field.data, size, buffer),
+                       of_points(size),
+                       file);
       }
     file.add_text("</PointData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
     return file.write(path);

@@ -25,8 +25,8 @@ namespace Waker
    * given, and a file without cells holds one cell without points: ParaView
    * and meshio read it, with all its fields.
    *
-   * Data are compressed (zlib, inline, base64), so many rows at a time
-   * (rows_per_block). Nothing in the file depends on the date, or on how many
+   * Data are compressed (zlib, inline, base64), so many points at a time
+   * (points_per_block). Nothing in the file depends on the date, or on how many
    * ranks write it: the same state makes the same file.
    */
   class VtuFile
@@ -94,8 +94,8 @@ namespace Waker
     std::string
     write(const double time, const std::string &path) const;
 
-    /// The same of points that ranks share, each of which is a cell: all ranks
-    /// write the one file together. Collective.
+    /// The same of points that ranks share: all ranks write the one file
+    /// together. Not of polylines. Collective.
     /// @param rows which of all points have been added here
     std::string
     write(const double       time,

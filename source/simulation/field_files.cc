@@ -67,14 +67,26 @@ namespace Waker
   {
     if (output.particles)
       write_particles(view, own);
+    if (output.top_view)
+      write_top_view(view, own);
     if (!is_first_rank(own.rows.communicator))
       return;
     if (output.surface)
       write_surfaces(view);
     if (output.grid)
       write_grid(view);
-    if (output.top_view)
-      write_top_view(view);
+  }
+
+
+  template <int dim>
+  Wanted
+  FieldFiles<dim>::wanted() const
+  {
+    Wanted wanted;
+    wanted.files  = true;
+    wanted.places = output.surface || output.grid || output.top_view;
+    wanted.nodes  = output.grid;
+    return wanted;
   }
 
 
@@ -162,23 +174,32 @@ namespace Waker
 
   template <int dim>
   void
-  FieldFiles<dim>::write_top_view(const StepView<dim> &view)
+  FieldFiles<dim>::write_top_view(const StepView<dim>  &view,
+                                  const OwnPoints<dim> &own)
   {
     const State<dim>          &state = view.state;
     const BackgroundGrid<dim> &grid  = view.the_case.grid;
     const TopView<dim>         ground(grid, state.points);
-    add(FieldSeries::top_view, state.time, [&](const std::string &path) {
-      return Waker::write_top_view(ground, state.points, state.time, path);
-    });
+    add(
+      FieldSeries::top_view,
+      state.time,
+      [&](const std::string &path) {
+        return Waker::write_top_view(
+          ground, own.points, own.rows, state.time, path);
+      },
+      own.rows.communicator);
     if constexpr (dim == 3)
-      add(FieldSeries::ground_lines, state.time, [&](const std::string &path) {
-        const auto lines =
-          ground_lines(ground,
-                       state.points,
-                       crest_height(view.the_case.initial_points),
-                       ground_step(grid));
-        return write_ground_lines(lines, state.time, path);
-      });
+      if (is_first_rank(own.rows.communicator))
+        add(FieldSeries::ground_lines,
+            state.time,
+            [&](const std::string &path) {
+              const auto lines =
+                ground_lines(ground,
+                             state.points,
+                             crest_height(view.the_case.initial_points),
+                             ground_step(grid));
+              return write_ground_lines(lines, state.time, path);
+            });
   }
 
 

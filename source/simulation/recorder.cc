@@ -179,13 +179,9 @@ namespace Waker
   Wanted
   Recorder<dim>::wants(const double time, const bool stops) const
   {
-    const OutputParameters &output = parameters->output;
-    Wanted                  wanted;
-    wanted.files  = stops || is_due(time, next_fields);
-    wanted.places = wanted.files && (output.surface || output.grid);
-    wanted.nodes  = wanted.files && output.grid;
-    wanted.all =
-      (wanted.files && output.top_view) || is_due(time, next_checkpoint);
+    Wanted wanted =
+      stops || is_due(time, next_fields) ? fields.wanted() : Wanted();
+    wanted.all = is_due(time, next_checkpoint);
     return wanted;
   }
 

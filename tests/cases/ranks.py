@@ -8,10 +8,12 @@ changes on one rank.
 usage: ranks.py WAKER SOURCE_DIRECTORY [UNIT_TESTS] [CASE...]
 
 Also: a run that is killed again and again and goes on on another number of ranks;
-one that ends by SIGTERM; the unit tests of partition and exchange on three ranks.
+one that ends by SIGTERM; files that ranks write together, and that cannot be written;
+the unit tests of partition and exchange on three ranks.
 """
 import glob
 import os
+import resource
 import signal
 import subprocess
 import sys
@@ -261,6 +263,71 @@ def ends_cleanly(waker, source):
     return code == 128 + signal.SIGTERM and "Interrupted at t" in log
 
 
+def slope(waker, source, folder, n_ranks, *flags, **more):
+    """Of 12,544 points, without the initial stress: its sums depend on the ranks."""
+    words = [waker, "run", os.path.join(source, "parameters/chapter6/slope.prm"),
+             "--set", "Output/Directory=" + folder, *flags]
+    for setting in ("Grid/Cell size=0.25", "Gravity/Initial stress=false",
+                    "Time stepping/End time=0.01", "Output/Interval=0.01"):
+        words += ["--set", setting]
+    if n_ranks > 1:
+        words = ["mpirun", "-n", str(n_ranks)] + words
+    return subprocess.run(words, env=ENVIRONMENT, capture_output=True, text=True,
+                          **more)
+
+
+def first_files(waker, source):
+    """What ranks write together is what one writes, to the bit."""
+    files = {}
+    with tempfile.TemporaryDirectory() as work:
+        for n in (1, 3):
+            folder = os.path.join(work, str(n))
+            done = slope(waker, source, folder, n)
+            if done.returncode != 0:
+                sys.exit(done.stdout[-2000:] + done.stderr[-2000:])
+            for series in ("particles", "top_view"):
+                name = os.path.join(folder, "solution", series + "-00000.vtu")
+                with open(name, "rb") as file:
+                    files[n, series] = file.read()
+            mesh = meshio.read(os.path.join(folder, "solution",
+                                            "particles-00001.vtu"))
+            if len(mesh.points) != 12544 or not np.array_equal(
+                    mesh.point_data["id"], np.arange(12544)):
+                sys.exit(f"{n} ranks: points have got lost in the file")
+            left = [name for name in os.listdir(os.path.join(folder, "solution"))
+                    if not name.endswith(".vtu")]
+            if left:
+                sys.exit(f"{n} ranks: left behind: {left}")
+    same = all(files[1, series] == files[3, series]
+               for series in ("particles", "top_view"))
+    print(f"files of {', '.join(str(len(text)) for text in files.values())} bytes: "
+          + ("the same on 1 and 3 ranks" if same else "DIFFER"))
+    return same
+
+
+def full_disk(waker, source):
+    """Two ranks say what one says, once, end alike, and leave the same behind."""
+    def limit():
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (60000, 60000))
+
+    ends = {}
+    with tempfile.TemporaryDirectory() as work:
+        folder = os.path.join(work, "out")
+        for n in (1, 2):
+            done = slope(waker, source, folder, n, "--overwrite", preexec_fn=limit,
+                         restore_signals=False)
+            lines = [line for line in done.stderr.split("\n") if folder in line
+                     or "cannot be written" in line or line.startswith("allowed")]
+            ends[n] = (done.returncode, lines,
+                       sorted(os.listdir(os.path.join(folder, "solution"))))
+    print("full disk:", ends[1])
+    good = ends[1] == ends[2] and ends[1][0] == 4 and ends[1][2] == []
+    if not good:
+        print("on two ranks:", ends[2])
+    return good and any("cannot be written" in line for line in ends[1][1])
+
+
 def main():
     waker, source = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
     rest = sys.argv[3:]
@@ -275,6 +342,8 @@ def main():
             print(done.stdout + done.stderr)
             bad += 1
         bad += not ends_cleanly(waker, source)
+        bad += not first_files(waker, source)
+        bad += not full_disk(waker, source)
     for name in rest or cases:
         file, settings, step, ranks, *steps = cases[name]
         end = (steps[0] if steps else n_steps) * step

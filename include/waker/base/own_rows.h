@@ -45,6 +45,10 @@ namespace Waker
       return own;
     }
 
+    /// Of each row its place among the own ones, or -1.
+    std::vector<int>
+    places() const;
+
     MPI_Comm                          communicator = MPI_COMM_SELF;
     std::size_t                       n_all;
     const std::vector<std::uint32_t> *numbers = nullptr; // null: all of them

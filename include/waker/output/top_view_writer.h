@@ -2,6 +2,7 @@
 #ifndef waker_output_top_view_writer_h
 #define waker_output_top_view_writer_h
 
+#include <waker/base/own_rows.h>
 #include <waker/measures/ground_lines.h>
 #include <waker/measures/top_view.h>
 
@@ -17,7 +18,12 @@ namespace Waker
    * Fields: height (m), and those of the point that is seen there, as
    * write_particles() lists them.
    *
-   * @param points those that the view is of
+   * Ranks that share the points write the one file together, each the squares
+   * in which its own points are seen. Collective.
+   *
+   * @param view of all points, the same on all ranks
+   * @param points of this rank
+   * @param rows which of all points these are
    * @param time of the state (s), stored in the file
    * @return checksum_of_text() of the file, for PvdSeries::add()
    */
@@ -25,6 +31,7 @@ namespace Waker
   std::string
   write_top_view(const TopView<dim>        &view,
                  const MaterialPoints<dim> &points,
+                 const OwnRows             &rows,
                  const double               time,
                  const std::string         &path);
 

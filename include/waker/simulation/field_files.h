@@ -13,8 +13,8 @@
 namespace Waker
 {
   /// The ParaView files of a run: all series, each with a file for each moment
-  /// that is written. Those of the points are written by all ranks together,
-  /// the others by the first one, which alone keeps the series.
+  /// that is written. Those with fields of the points are written by all ranks
+  /// together, the others by the first one, which alone keeps the series.
   template <int dim>
   class FieldFiles
   {
@@ -26,9 +26,13 @@ namespace Waker
     /// @param output kept by reference
     explicit FieldFiles(const OutputParameters &output);
 
-    /// Collective. The first rank's view has what Recorder::wants() says.
+    /// Collective. The view has what wanted() says.
     void
     write(const StepView<dim> &view, const OwnPoints<dim> &own);
+
+    /// What write() needs.
+    Wanted
+    wanted() const;
 
     Entries
     entries() const;
@@ -54,7 +58,7 @@ namespace Waker
     void
     write_grid(const StepView<dim> &view);
     void
-    write_top_view(const StepView<dim> &view);
+    write_top_view(const StepView<dim> &view, const OwnPoints<dim> &own);
 
     const OutputParameters &output;
     std::vector<PvdSeries>  series; // by FieldSeries
