@@ -196,7 +196,7 @@ namespace Waker
     check_line(the_case, warnings);
     warn_of_soil_in_water(the_case, warnings);
     warn_of_consolidation(the_case, warnings);
-    warn_of_uplift_in_storm(the_case, warnings);
+    warn_of_uplift_to_come(the_case, warnings);
     check_loads(the_case, warnings);
     warn_of_walls(the_case, warnings);
     const double cells =

@@ -10,12 +10,13 @@
 namespace Waker
 {
   /// Water in the ground that comes to carry more than the soil above weighs,
-  /// as it follows the water outside: when, at which level, where, and by which
-  /// line.
+  /// as it follows the water outside, which rises by Water/Rise, by a load
+  /// programme, or both: when at the soonest, at which level, where, and by
+  /// which line.
   template <int dim>
   void
-  warn_of_uplift_in_storm(const Case<dim>          &the_case,
-                          std::vector<std::string> &warnings);
+  warn_of_uplift_to_come(const Case<dim>          &the_case,
+                         std::vector<std::string> &warnings);
 } // namespace Waker
 
 #endif

@@ -9,8 +9,8 @@
 #include <unistd.h>
 #include <vector>
 
-/// Level ground of layers on a firm base, between rollers, in cells of half a
-/// metre: the text of a parameter file.
+/// Level ground of layers on a firm base, between rollers: the text of a
+/// parameter file.
 namespace LevelGround
 {
   struct Layer
@@ -19,22 +19,23 @@ namespace LevelGround
     double      bottom, top; // m
   };
 
-  /// The grid begins at (0, 0).
+  /// The grid begins at x = 0.
   struct Ground
   {
-    double             width = 2., height = 5.; // of the grid, m
+    double             width = 2., top = 5.; // of the grid, m
     std::vector<Layer> layers;
-    std::string        materials; // section Materials
-    std::string        more;      // sections after these
+    std::string        materials;                    // section Materials
+    std::string        more;                         // sections after these
+    double             cell_size = 0.5, bottom = 0.; // of the grid, m
   };
 
   inline std::string
   text_of(const Ground &ground)
   {
     std::ostringstream text;
-    text << "subsection Grid\n  set Lower corner = 0, 0\n  set Upper corner = "
-         << ground.width << ", " << ground.height
-         << "\n  set Cell size    = 0.5\nend\n"
+    text << "subsection Grid\n  set Lower corner = 0, " << ground.bottom
+         << "\n  set Upper corner = " << ground.width << ", " << ground.top
+         << "\n  set Cell size    = " << ground.cell_size << "\nend\n"
          << ground.materials << "subsection Soil profile\n  set Layers = ";
     for (std::size_t l = 0; l < ground.layers.size(); ++l)
       text << (l > 0 ? ", " : "") << ground.layers[l].name;

@@ -5,125 +5,22 @@
 #include <waker/case/state.h>
 #include <waker/loads/heads.h>
 #include <waker/loads/pore_water.h>
-#include <waker/program/parameter_reader.h>
-#include <waker/simulation/plausibility.h>
 
+#include "polder.h"
 #include "user_errors.h"
 #include <cmath>
-#include <fstream>
-#include <gtest/gtest.h>
-#include <unistd.h>
 
 namespace loads_head_lines
 {
-  using namespace Waker;
+  using namespace Polder;
 
   namespace
   {
-    constexpr double gamma_w = 10.; // the default
-
-    /// 4 m of clay on 2 m of sand, of an aquifer with a head of its own.
-    std::unique_ptr<Parameters>
-    polder(const std::vector<std::string> &more)
-    {
-      const std::string path = testing::TempDir() + "waker_head_lines_" +
-                               std::to_string(getpid()) + ".prm";
-      std::ofstream(path) << R"(
-subsection Grid
-  set Lower corner = 0, -2
-  set Upper corner = 3, 5
-  set Cell size    = 0.5
-end
-subsection Materials
-  set Names = clay, sand
-  subsection clay
-    set Model           = Mohr-Coulomb
-    set Unit weight     = 15
-    set Poisson's ratio = 0.3
-    set Friction angle  = 25
-  end
-  subsection sand
-    set Model           = Mohr-Coulomb
-    set Unit weight     = 20
-    set Poisson's ratio = 0.3
-    set Friction angle  = 32
-  end
-end
-subsection Soil profile
-  set Layers = cover, aquifer
-  subsection cover
-    set Material = clay
-    set Polygon  = 0, 0; 3, 0; 3, 4; 0, 4
-  end
-  subsection aquifer
-    set Material = sand
-    set Polygon  = 0, -2; 3, -2; 3, 0; 0, 0
-  end
-end
-subsection Boundary conditions
-  set Names = base, left side, right side
-  subsection base
-    set Region = bottom
-    set Type   = fixed
-  end
-  subsection left side
-    set Region = left
-    set Type   = roller
-  end
-  subsection right side
-    set Region = right
-    set Type   = roller
-  end
-end
-subsection Pore water
-  set Phreatic line = 0, 3; 3, 3
-end
-subsection Head lines
-  set Names = deep
-  subsection deep
-    set Line = 0, 5; 3, 5
-  end
-end
-subsection Reference lines
-  set Names = bottom of clay, top of seepage
-  subsection bottom of clay
-    set Line             = 0, 0; 3, 0
-    set Top head line    = deep
-    set Bottom head line = deep
-  end
-  subsection top of seepage
-    set Line = 0, 2; 3, 2
-  end
-end
-)";
-      return read_parameters(path, more);
-    }
-
-
     /// By hand: 3 m down to y = 2, straight to 5 m at y = 0, and 5 m below.
     double
     head(const double y)
     {
       return y >= 2. ? 3. : y >= 0. ? 5. - y : 5.;
-    }
-
-
-    std::string
-    all_warnings(const std::vector<std::string> &more)
-    {
-      const auto    parameters = polder(more);
-      const Case<2> the_case(*parameters, MPI_COMM_SELF);
-      std::string   all;
-      for (const std::string &text : strange_things(the_case))
-        all += text + "\n";
-      return all;
-    }
-
-
-    bool
-    has(const std::string &all, const std::string &text)
-    {
-      return all.find(text) != std::string::npos;
     }
   } // namespace
 
@@ -153,7 +50,7 @@ end
 
   TEST(HeadLines, pressure_and_vertical_stress_have_them)
   {
-    const auto    parameters = polder({});
+    const auto    parameters = ground({});
     const Case<2> the_case(*parameters, MPI_COMM_SELF);
     const auto   &points = the_case.initial_points;
     const auto   &u      = points.scalar("pore pressure");
@@ -240,40 +137,40 @@ end
   {
     const std::string deep = "Head lines/deep/", set = "--set ",
                       clay = "Reference lines/bottom of clay/";
-    EXPECT_USER_ERROR(polder({clay + "Line=0, 2.5; 3, 0"}),
+    EXPECT_USER_ERROR(ground({clay + "Line=0, 2.5; 3, 0"}),
                       set + clay + "Line",
                       "crosses top of seepage: at x = 0 m it lies at 2.5 m, "
                       "that one at 2 m");
-    EXPECT_NO_THROW(polder({clay + "Line=0, 2; 3, 0"})); // they touch
-    EXPECT_USER_ERROR(polder({clay + "Line=0, 0; 2, 0"}),
+    EXPECT_NO_THROW(ground({clay + "Line=0, 2; 3, 0"})); // they touch
+    EXPECT_USER_ERROR(ground({clay + "Line=0, 0; 2, 0"}),
                       set + clay + "Line",
                       "to 2 m");
-    EXPECT_USER_ERROR(polder({clay + "Line="}), set + clay + "Line", "empty");
-    EXPECT_USER_ERROR(polder({clay + "Top head line=sea"}),
+    EXPECT_USER_ERROR(ground({clay + "Line="}), set + clay + "Line", "empty");
+    EXPECT_USER_ERROR(ground({clay + "Top head line=sea"}),
                       set + clay + "Top head line",
                       "none of Head lines/Names");
-    EXPECT_USER_ERROR(polder({deep + "Line=0, 5; 2, 5"}),
+    EXPECT_USER_ERROR(ground({deep + "Line=0, 5; 2, 5"}),
                       set + deep + "Line",
                       "to 2 m");
-    EXPECT_USER_ERROR(polder({deep + "Line=0, 5"}),
+    EXPECT_USER_ERROR(ground({deep + "Line=0, 5"}),
                       set + deep + "Line",
                       "1 corner");
-    EXPECT_USER_ERROR(polder({deep + "Line=0, 5; 3, nan"}),
+    EXPECT_USER_ERROR(ground({deep + "Line=0, 5; 3, nan"}),
                       set + deep + "Line",
                       "nan");
-    EXPECT_USER_ERROR(polder({deep + "Line=0, 5; 3, 1e308"}),
+    EXPECT_USER_ERROR(ground({deep + "Line=0, 5; 3, 1e308"}),
                       set + deep + "Line",
                       "corner 2 has y = 1e+308 m");
-    EXPECT_USER_ERROR(polder({deep + "Line="}), set + deep + "Line", "empty");
-    EXPECT_USER_ERROR(polder({deep + "Daily line=1, 5; 3, 5"}),
+    EXPECT_USER_ERROR(ground({deep + "Line="}), set + deep + "Line", "empty");
+    EXPECT_USER_ERROR(ground({deep + "Daily line=1, 5; 3, 5"}),
                       set + deep + "Daily line",
                       "from x = 1");
-    EXPECT_USER_ERROR(polder({deep +
+    EXPECT_USER_ERROR(ground({deep +
                               "Lines by level=1: 0, 5; 3, 5 | 2: 0, 6; 3, 6"}),
                       set + deep + "Lines by level",
                       "so is Line");
     EXPECT_USER_ERROR(
-      polder({deep + "Line=",
+      ground({deep + "Line=",
               deep + "Lines by level=1: 0, 5; 3, 5 | 2: 0, 6; 3, 6"}),
       set + deep + "Lines by level",
       "no water stands outside");
@@ -282,11 +179,11 @@ end
            {"-1", "is -1 s"},
            {"nan", "no place and delay"},
            {"0: 1, 0: 2", "after x = 0 m"}})
-      EXPECT_USER_ERROR(polder({deep + "Delay=" + delay}),
+      EXPECT_USER_ERROR(ground({deep + "Delay=" + delay}),
                         set + deep + "Delay",
                         problem);
-    EXPECT_NO_THROW(polder({deep + "Delay=1"}));
-    EXPECT_USER_ERROR(polder(
+    EXPECT_NO_THROW(ground({deep + "Delay=1"}));
+    EXPECT_USER_ERROR(ground(
                         {"Pore water/Phreatic line=", "Head lines/Names=deep"}),
                       set + "Head lines/Names",
                       "there is no phreatic line");
@@ -328,54 +225,13 @@ end
   }
 
 
-  // By hand: the head is 3 m at the level 2 m, and 7 m at 4 m, which the water
-  // reaches after 10 s. At the points an eighth of a metre below the clay 62.5
-  // kPa of soil lie: from a head of 6.125 m on, 7.8 s, they are lifted up. The
-  // first of 24 moments after that is 8.33 s, at 3.667 m.
-  TEST(HeadLines, uplift_that_comes_with_the_storm_is_told_beforehand)
-  {
-    const std::vector<std::string> storm = {
-      "Water/Side=left",
-      "Water/Level=2",
-      "Water/Rise=0: 0, 10: 2, 20: 2",
-      "Water/Minimum support=0",
-      "Surface/Method=contour",
-      "Time stepping/End time=20",
-      "Head lines/deep/Line=",
-      "Head lines/deep/Lines by level=2: 0, 3; 3, 3 | 4: 0, 7; 3, 7"};
-    const auto with = [&](const std::string &more) {
-      std::vector<std::string> settings = {more};
-      for (const std::string &usual : storm)
-        if (usual.substr(0, usual.find('=')) != more.substr(0, more.find('=')))
-          settings.push_back(usual);
-      return all_warnings(settings);
-    };
-    const std::string said = all_warnings(storm);
-    EXPECT_TRUE(has(said,
-                    "by t = 8.33333 s, at the level 3.66667 m, the water in "
-                    "the ground has come to carry more"))
-      << said;
-    EXPECT_TRUE(has(said, "s, at the level 4 m, ")) << said;
-    EXPECT_TRUE(has(said,
-                    "where Head lines/deep makes a pressure of 71.25 kPa and "
-                    "an effective vertical stress of -8.75 kPa: uplift"))
-      << said;
-    // Less water, water that has no time to get there, or heavier soil.
-    for (const char *const less : {"Water/Rise=0: 0, 10: 1.5, 20: 1.5",
-                                   "Head lines/deep/Delay=1000",
-                                   "Materials/clay/Unit weight=17.3"})
-      EXPECT_FALSE(has(with(less), "uplift")) << less;
-    EXPECT_TRUE(has(with("Materials/clay/Unit weight=17"), "uplift"));
-  }
-
-
   TEST(HeadLines, what_a_stress_below_0_comes_from_is_named)
   {
     const auto refuses = [](std::vector<std::string> settings,
                             const std::string       &path,
                             const std::string       &text) {
       settings.push_back("Head lines/deep/Line=0, 7; 3, 7");
-      const auto parameters = polder(settings);
+      const auto parameters = ground(settings);
       EXPECT_USER_ERROR(Case<2>(*parameters, MPI_COMM_SELF), path, text);
     };
     const std::string clay = "Materials/clay/";

@@ -8,12 +8,10 @@
 #include <waker/program/parameter_reader.h>
 #include <waker/simulation/plausibility.h>
 
+#include "level_ground.h"
 #include "mapping_lattice.h"
 #include "user_errors.h"
-#include <fstream>
-#include <gtest/gtest.h>
 #include <map>
-#include <unistd.h>
 
 namespace loads_pore_water
 {
@@ -35,14 +33,11 @@ namespace loads_pore_water
     std::unique_ptr<Parameters>
     ground(const std::vector<std::string> &more)
     {
-      const std::string path = testing::TempDir() + "waker_pore_water_" +
-                               std::to_string(getpid()) + ".prm";
-      std::ofstream(path) << R"(
-subsection Grid
-  set Lower corner = 0, 0
-  set Upper corner = 3, 5
-  set Cell size    = 0.25
-end
+      const std::string text =
+        LevelGround::text_of({3.,
+                              5.,
+                              {{"ground", "sand", 0., 4.}},
+                              R"(
 subsection Materials
   set Names = sand
   subsection sand
@@ -54,33 +49,14 @@ subsection Materials
     set Friction angle        = 30
   end
 end
-subsection Soil profile
-  set Layers = ground
-  subsection ground
-    set Material = sand
-    set Polygon  = 0, 0; 3, 0; 3, 4; 0, 4
-  end
-end
-subsection Boundary conditions
-  set Names = base, left side, right side
-  subsection base
-    set Region = bottom
-    set Type   = fixed
-  end
-  subsection left side
-    set Region = left
-    set Type   = roller
-  end
-  subsection right side
-    set Region = right
-    set Type   = roller
-  end
-end
+)",
+                              R"(
 subsection Pore water
   set Phreatic line = 0, 3; 3, 3
 end
-)";
-      return read_parameters(path, more);
+)",
+                              0.25});
+      return read_parameters(LevelGround::written(text), more);
     }
   } // namespace
 
