@@ -2,6 +2,7 @@
 #include "strange_cam_clay.h"
 
 #include <waker/base/expression_pattern.h>
+#include <waker/base/places.h>
 #include <waker/base/text.h>
 #include <waker/case/initial_properties.h>
 
@@ -175,6 +176,62 @@ namespace Waker
   }
 
 
+  namespace
+  {
+    /// Points whose stress no preconsolidation pressure explains: above
+    /// critical state, or in tension.
+    template <int dim>
+    void
+    warn_of_stress_outside(const Case<dim>          &the_case,
+                           const unsigned int        m,
+                           std::vector<std::string> &warnings)
+    {
+      constexpr double           noticed = 1e-3; // kPa
+      const MaterialPoints<dim> &points  = the_case.initial_points;
+      const Material            &law     = *the_case.materials[m];
+      std::vector<int>           arrays;
+      for (const MaterialVariable &variable : law.variables())
+        arrays.push_back(points.find_scalar(variable.name));
+      std::vector<double> variables(arrays.size());
+      std::size_t         n = 0, n_outside = 0;
+      double              most = 0.;
+      Point<dim>          at;
+      for (std::size_t q = 0; q < points.n_points(); ++q)
+        {
+          if (points.material[q] != m)
+            continue;
+          ++n;
+          for (std::size_t v = 0; v < arrays.size(); ++v)
+            variables[v] = points.scalars[arrays[v]].values[q];
+          SymmetricTensor<2, 3> stress = points.stress[q];
+          law.update(SymmetricTensor<2, 3>(),
+                     stress,
+                     variables.data(),
+                     nullptr);
+          const double excess = (stress - points.stress[q]).norm();
+          n_outside += excess > noticed ? 1 : 0;
+          if (excess > most)
+            {
+              most = excess;
+              at   = points.initial_position[q];
+            }
+        }
+      if (n_outside == 0)
+        return;
+      std::ostringstream text;
+      text.precision(3);
+      text << "Materials/" << the_case.parameters.materials[m].name
+           << "/Model is modified Cam clay, and at " << n_outside << " of " << n
+           << " points the stress at the start lies beyond critical state, "
+              "outside the yield surface, by up to "
+           << most << " kPa at " << place_text(at)
+           << " m: the run begins with its return. Initial stress/Laws = "
+           << name_of(BalanceLaws::plastic) << " begins in balance";
+      warnings.push_back(text.str());
+    }
+  } // namespace
+
+
   template <int dim>
   void
   warn_of_consolidation(const Case<dim>          &the_case,
@@ -226,6 +283,7 @@ namespace Waker
                   << most << " kPa: they have it";
         if (n_raised > 0)
           warnings.push_back(of_raised.str());
+        warn_of_stress_outside(the_case, m, warnings);
       }
   }
 

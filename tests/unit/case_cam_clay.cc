@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Modified Cam clay in a case: what it starts from, random fields of it, what
-// is refused, and the energy of a run.
+// Modified Cam clay in a case: what it starts from, and what is refused.
 #include <waker/simulation/plausibility.h>
-#include <waker/simulation/run_to_end.h>
 #include <waker/simulation/strengths.h>
 
-#include "campaign_layered_ground.h"
+#include "cam_clay_ground.h"
 #include "stress_in_ground.h"
 #include "user_errors.h"
 
@@ -13,22 +11,11 @@ namespace case_cam_clay
 {
   using namespace Waker;
   using namespace StressInGround;
+  using CamClayGround::isotropic_share;
+  using CamClayGround::phi;
 
   namespace
   {
-    const double phi = 25. * std::acos(-1.) / 180.;
-
-    /// p_c over the vertical yield stress: (sigma'_y, (1 - sin(phi)) sigma'_y)
-    /// lies on the yield surface.
-    double
-    isotropic_share()
-    {
-      const double M = 6. * std::sin(phi) / (3. - std::sin(phi));
-      const double k = 1. - std::sin(phi);
-      const double p = (1. + 2. * k) / 3., q = 1. - k;
-      return p + q * q / (M * M * p);
-    }
-
     /// The level ground with it as clay.
     std::vector<std::string>
     with_cam_clay(const std::vector<std::string> &more = {},
@@ -154,22 +141,76 @@ namespace case_cam_clay
   }
 
 
+  namespace
+  {
+    /// Sand on it, 1:3, from K0 stress.
+    std::vector<std::string>
+    bank(const std::string &laws)
+    {
+      return with_cam_clay(
+        {"Grid/Upper corner=12, 5",
+         "Pore water/Phreatic line=0, 1; 12, 1",
+         "Soil profile/top/Polygon=0, 2; 8, 2; 5, 3; 0, 3",
+         "Soil profile/below/Polygon=0, 0; 12, 0; 12, 2; 0, 2",
+         "Materials/sand/Cohesion=3",
+         "Materials/clay/POP=5",
+         "Initial stress/Laws=" + laws});
+    }
+  } // namespace
+
+
   TEST(CamClayGround, plastic_balance_under_a_slope_keeps_it_on_its_surface)
   {
-    const Case<2> bank(
+    const Case<2> plastic(*read(level_ground, bank("plastic")), MPI_COMM_SELF);
+    EXPECT_GT(plastic.stages[0].imbalance, 1e-3);
+    EXPECT_TRUE(plastic.stages[0].balance->converged);
+    EXPECT_LT(largest_excess(plastic), 1e-6);
+    for (const std::string &text : strange_things(plastic))
+      EXPECT_EQ(text.find("outside the yield surface"), std::string::npos)
+        << text;
+  }
+
+
+  // An elastic step knows no critical state: a bank of it, 1:1.
+  TEST(CamClayGround, stress_beyond_critical_state_is_told)
+  {
+    const Case<2> elastic(
       *read(level_ground,
             with_cam_clay(
               {"Grid/Upper corner=12, 5",
-               "Pore water/Phreatic line=0, 1; 12, 1",
-               "Soil profile/top/Polygon=0, 2; 8, 2; 5, 3; 0, 3",
+               "Pore water/Phreatic line=0, 0.5; 12, 0.5",
+               "Soil profile/top/Material=clay",
+               "Soil profile/top/Polygon=0, 2; 7, 2; 5, 4; 0, 4",
                "Soil profile/below/Polygon=0, 0; 12, 0; 12, 2; 0, 2",
-               "Materials/sand/Cohesion=3",
-               "Materials/clay/POP=5",
-               "Initial stress/Laws=plastic"})),
+               "Materials/clay/POP=5"})),
       MPI_COMM_SELF);
-    EXPECT_GT(bank.stages[0].imbalance, 1e-3);
-    EXPECT_TRUE(bank.stages[0].balance->converged);
-    EXPECT_LT(largest_excess(bank), 1e-6);
+    const auto  &points = elastic.initial_points;
+    const auto  &pc     = points.scalar("preconsolidation pressure");
+    const double M      = 6. * std::sin(phi) / (3. - std::sin(phi));
+    unsigned int n = 0, n_outside = 0, n_beyond = 0;
+    for (std::size_t q = 0; q < points.n_points(); ++q)
+      if (points.material[q] == 1)
+        {
+          ++n;
+          const double p = -trace(points.stress[q]) / 3.;
+          const double deviator =
+            std::sqrt(1.5) *
+            (points.stress[q] + p * dealii::unit_symmetric_tensor<3>()).norm();
+          const double f = deviator * deviator / (M * M) + p * (p - pc[q]);
+          n_outside += f > 1e-3 || p <= 0. ? 1 : 0;
+          n_beyond += (f > 1e-3 && deviator > M * p) || p <= 0. ? 1 : 0;
+        }
+    EXPECT_EQ(n_beyond, n_outside);
+    ASSERT_GT(n_outside, 0u);
+    std::ostringstream number;
+    number << "at " << n_outside << " of " << n
+           << " points the stress at the start lies beyond critical state";
+    std::string all;
+    for (const std::string &text : strange_things(elastic))
+      all += text + "\n";
+    EXPECT_NE(all.find(number.str()), std::string::npos) << all << number.str();
+    EXPECT_NE(all.find("outside the yield surface, by up to "),
+              std::string::npos);
   }
 
 
@@ -255,161 +296,5 @@ namespace case_cam_clay
           EXPECT_EQ(state.points.scalar("preconsolidation pressure")[p],
                     before[p]);
         }
-  }
-
-
-  TEST(CamClayGround, random_fields_of_what_it_starts_from)
-  {
-    using LayeredGround::Drawn;
-    const std::string        a    = "Random fields/a/";
-    std::vector<std::string> soil = {"Materials/clay/Model=modified Cam clay",
-                                     "Materials/clay/Friction angle=25",
-                                     "Materials/clay/Strength from=initial "
-                                     "strength",
-                                     "Materials/clay/POP=15"};
-    const auto               with = [&](std::vector<std::string> more) {
-      more.insert(more.begin(), soil.begin(), soil.end());
-      return more;
-    };
-    const Drawn pop(with({a + "Property=POP", a + "Standard deviation=3.5"}));
-    double      least = 1e9, most = 0.;
-    for (const std::size_t q : pop.points_of(1))
-      {
-        const double y = pop.state.points.initial_position[q][1];
-        const double x = pop.values("POP")[q];
-        least          = std::min(least, x);
-        most           = std::max(most, x);
-        ASSERT_NEAR(pop.values("preconsolidation pressure")[q],
-                    isotropic_share() * (LayeredGround::stress(y, 3.5) + x),
-                    1e-9);
-      }
-    EXPECT_GT(most - least, 5.);
-    const Drawn ocr(with({"Random fields/Names=a, b",
-                          a + "Property=OCR",
-                          a + "Mean=1.5",
-                          "Random fields/b/Material=clay",
-                          "Random fields/b/Property=friction angle",
-                          "Random fields/b/Coefficient of variation=0.1"}));
-    for (const std::size_t q : ocr.points_of(1))
-      {
-        const double y = ocr.state.points.initial_position[q][1];
-        const double given =
-          isotropic_share() *
-          (LayeredGround::stress(y, 3.5) * ocr.values("OCR")[q] + 15.);
-        ASSERT_GE(ocr.values("preconsolidation pressure")[q], given - 1e-9);
-        ASSERT_NE(ocr.values("friction angle")[q], 25.);
-      }
-    const Drawn own(with({a + "Property=preconsolidation pressure",
-                          a + "Coefficient of variation=0.2"}));
-    EXPECT_NE(own.values("preconsolidation pressure")[own.points_of(1)[0]],
-              own.the_case.initial_points.scalar(
-                "preconsolidation pressure")[own.points_of(1)[0]]);
-    EXPECT_USER_ERROR(
-      Drawn(with({"Random fields/Names=a, b",
-                  a + "Property=POP",
-                  a + "Standard deviation=3.5",
-                  "Random fields/b/Material=clay",
-                  "Random fields/b/Property=preconsolidation pressure"})),
-      "Random fields/b/Property",
-      "follows from what has a field, too");
-    EXPECT_USER_ERROR(Drawn(with(
-                        {a + "Property=Young's modulus", a + "Minimum=100"})),
-                      "Random fields/a/Property",
-                      "does not have");
-  }
-
-
-  // A block that is pressed together, sheared and let go: the account closes
-  // with the step, also with water in the pores.
-  TEST(CamClayGround, energy_account_of_a_run_closes)
-  {
-    const std::string block = R"(
-subsection Grid
-  set Lower corner = 0, 0
-  set Upper corner = 1, 1.5
-  set Cell size    = 0.5
-end
-subsection Materials
-  set Names = clay
-  subsection clay
-    set Model                     = modified Cam clay
-    set Unit weight               = 16
-    set Young's modulus           = 3900
-    set Poisson's ratio           = 0.3
-    set Friction angle            = 25
-    set Preconsolidation pressure = 30
-  end
-end
-subsection Soil profile
-  set Layers = sample
-  subsection sample
-    set Material       = clay
-    set Polygon        = 0, 0; 1, 0; 1, 1; 0, 1
-    set Initial stress = -20; -20; -20; 0
-  end
-end
-subsection Boundary conditions
-  set Names = base, left side, right side, top
-  subsection base
-    set Region = bottom
-    set Type   = fixed
-  end
-  subsection left side
-    set Region = left
-    set Type   = roller
-  end
-  subsection right side
-    set Region = right
-    set Type   = roller
-  end
-  subsection top
-    set Region       = box
-    set From         = -1, 0.99
-    set To           = 2, 1.01
-    set Type         = prescribed
-    set Displacement = free; -0.05*sin(t)
-  end
-end
-subsection Gravity
-  set Acceleration   = 0
-  set Initial stress = false
-end
-subsection Kinematics and mapping
-  set Objective rate = false
-end
-subsection Time stepping
-  set Scheme          = quasi-static
-  set End time        = 2.4
-  set Ramp duration   = 0
-  set Move points     = false
-  set Ghost stiffness = 0
-end
-subsection Newton
-  set Tolerance = 1e-9
-end
-)";
-    for (const std::string water : {"0", "30000"})
-      {
-        double remainder[2], lost = 0.;
-        for (const unsigned int fine : {0u, 1u})
-          {
-            const auto p =
-              read(block,
-                   {std::string("Time stepping/Time step=") +
-                      (fine == 1 ? "0.01" : "0.04"),
-                    "Materials/clay/Pore fluid stiffness=" + water});
-            const Case<2> the_case(*p, MPI_COMM_SELF);
-            State<2>      state = initial_state(the_case);
-            EXPECT_GT(state.energy.elastic_start, 0.3); // kappa* p' and more
-            Realisation<2> realisation(the_case, state);
-            run_to_end(realisation);
-            remainder[fine] = state.energy.remainder();
-            lost            = state.energy.dissipation;
-            EXPECT_EQ(state.unconverged_steps, 0u);
-          }
-        EXPECT_GT(lost, 0.1);
-        EXPECT_LT(std::abs(remainder[1]), 5e-3 * lost) << water;
-        EXPECT_LT(std::abs(remainder[1]), 0.3 * std::abs(remainder[0]));
-      }
   }
 } // namespace case_cam_clay
