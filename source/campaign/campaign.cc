@@ -88,7 +88,9 @@ namespace Waker
     /// @param communicator of the ranks that compute a realisation together
     template <int dim>
     Runners<dim>
-    make_runners(const Scenarios &scenarios, const MPI_Comm communicator)
+    make_runners(const Scenarios &scenarios,
+                 const MPI_Comm   communicator,
+                 Log             &log)
     {
       Runners<dim> runners;
       for (const auto &scenario : scenarios)
@@ -103,7 +105,9 @@ namespace Waker
                 scenario->simulation,
                 scenario->reliability.fields,
                 scenario->reliability.campaign.attempts,
-                communicator));
+                communicator,
+                initial_stress_progress(scenario->simulation.initial_stress,
+                                        log)));
             }
           catch (const NumericalFailure &failure)
             {
@@ -173,10 +177,12 @@ namespace Waker
     read_level_distribution(scenarios[0]->reliability.analysis.risk);
     if (rank == 0)
       check_campaign_folder(folder, info, options);
-    const Runners<dim> runners = make_runners<dim>(scenarios, groups.group());
 
     Log log =
       rank == 0 ? Log(std::cout, n_ranks == 1 && Log::is_terminal()) : Log();
+    const Runners<dim> runners =
+      make_runners<dim>(scenarios, groups.group(), log);
+    log.end_progress();
     std::unique_ptr<CampaignWriter> campaign_writer;
     check_memory_of_ranks(run_sizes(runners[0]->first_case()).memory,
                           communicator);

@@ -129,8 +129,9 @@ namespace Waker
     const Parameters             &parameters,
     const RandomFieldsParameters &fields,
     const unsigned int            attempts,
-    const MPI_Comm                communicator)
-    : cases(parameters, attempts, communicator)
+    const MPI_Comm                communicator,
+    BalanceWatcher                watcher)
+    : cases(parameters, attempts, communicator, std::move(watcher))
     , random_properties(cases.first(), fields)
   {}
 

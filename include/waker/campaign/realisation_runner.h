@@ -32,12 +32,15 @@ namespace Waker
      *        half the time step, up to so many times in all
      * @param communicator of the ranks that compute a realisation together: all
      *        of them call each function
+     * @param watcher of the initial stress, which is in balance before the
+     * first realisation; may be empty
      * @throws UserError, NumericalFailure (of the gravity step)
      */
     RealisationRunner(const Parameters             &parameters,
                       const RandomFieldsParameters &fields,
                       const unsigned int            attempts,
-                      const MPI_Comm                communicator);
+                      const MPI_Comm                communicator,
+                      BalanceWatcher                watcher = {});
 
     const Case<dim> &
     first_case() const
