@@ -10,6 +10,7 @@
 #include "strange_cam_clay.h"
 #include "strange_pore_water.h"
 #include "strange_strengths.h"
+#include "toe_warnings.h"
 #include "uplift_warnings.h"
 #include "wall_warnings.h"
 #include <algorithm>
@@ -197,6 +198,7 @@ namespace Waker
     warn_of_soil_in_water(the_case, warnings);
     warn_of_consolidation(the_case, warnings);
     warn_of_uplift_to_come(the_case, warnings);
+    warn_of_feather_edge(the_case, warnings);
     check_loads(the_case, warnings);
     warn_of_walls(the_case, warnings);
     const double cells =
