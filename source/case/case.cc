@@ -269,8 +269,7 @@ namespace Waker
     scene.tractions.fix_point_loads(points);
     scene.tractions.ride(points, riding_loads);
     for (std::size_t i = 0; i < scene.tractions.size(); ++i)
-      initial_tractions.push_back(
-        scene.tractions.resultant(i, scene.nodes.mass));
+      initial_tractions.push_back(scene.tractions.resultant(i));
     if (!std::isfinite(scene.nodes.external_force.l2_norm()))
       throw NumericalFailure("the loads at t = 0 are not finite: is a unit "
                              "weight, a traction or a force too large?");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/case/driven_loads.h>
-#include <waker/loads/facet_load.h>
+#include <waker/loads/point_force.h>
 
 #include <algorithm>
 
@@ -36,10 +36,10 @@ namespace Waker
         // What is mass of the points already weighs by itself.
         const double in_mass =
           programme.weight.mass == LoadMass::with_mass ? now : 0.;
-        add_weight(carried_load(programme, scene.own_points),
+        add_weight(carried_load(programme, scene.points),
                    factor - in_mass,
-                   scene.own_weights,
-                   scene.own_force);
+                   scene.weights,
+                   scene.force);
       }
 
     private:
@@ -72,11 +72,9 @@ namespace Waker
     class PointLoadDriver : public LoadDriver<dim>
     {
     public:
-      PointLoadDriver(const BackgroundGrid<dim>     &grid,
-                      const LoadProgrammeParameters &programme,
+      PointLoadDriver(const LoadProgrammeParameters &programme,
                       const PointLoadParameters     &parameters)
         : programme(programme)
-        , load(grid)
       {
         for (unsigned int d = 0; d < dim; ++d)
           force[d] = parameters.force[d];
@@ -87,20 +85,19 @@ namespace Waker
             const double,
             const DrivenScene<dim> &scene) override
       {
-        // Eq. 3.2, with linear functions also under GIMP.
         const std::vector<double> &share =
           carried_load(programme, scene.points);
-        load.clear();
         for (std::size_t p = 0; p < share.size(); ++p)
           if (share[p] != 0.)
-            load.add(scene.points.position[p], factor * share[p] * force);
-        load.distribute(scene.node_mass, 0., scene.force);
+            add_point_force(scene.weights.background_grid(),
+                            scene.points.position[p],
+                            factor * share[p] * force,
+                            scene.force);
       }
 
     private:
       const LoadProgrammeParameters programme;
       Tensor<1, dim>                force; // kN
-      FacetLoad<dim>                load;
     };
 
 
@@ -120,8 +117,7 @@ namespace Waker
 
     template <int dim>
     std::unique_ptr<LoadDriver<dim>>
-    make_driver(const BackgroundGrid<dim>     &grid,
-                const LoadProgrammeParameters &programme,
+    make_driver(const LoadProgrammeParameters &programme,
                 const Parameters              &parameters)
     {
       switch (programme.drives)
@@ -133,7 +129,6 @@ namespace Waker
               number_of(programme.load, parameters.tractions));
           case LoadTarget::point_load:
             return std::make_unique<PointLoadDriver<dim>>(
-              grid,
               programme,
               parameters.point_loads[number_of(programme.load,
                                                parameters.point_loads)]);
@@ -147,13 +142,12 @@ namespace Waker
 
 
   template <int dim>
-  DrivenLoads<dim>::DrivenLoads(const BackgroundGrid<dim> &grid,
-                                const LoadProgrammes<dim> &programmes,
+  DrivenLoads<dim>::DrivenLoads(const LoadProgrammes<dim> &programmes,
                                 const Parameters          &parameters)
     : programmes(&programmes)
   {
     for (const LoadProgrammeParameters &programme : parameters.load_programmes)
-      drivers.push_back(make_driver(grid, programme, parameters));
+      drivers.push_back(make_driver<dim>(programme, parameters));
   }
 
 

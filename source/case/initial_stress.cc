@@ -125,8 +125,7 @@ namespace Waker
                     scene.resistances());
       RankPart<dim> part(the_case, points);
       part.map();
-      NodalVector nothing(part.grid->n_dofs());
-      part.take_loads(&scene.nodes.external_force, nothing);
+      part.take_external_force(scene.nodes.external_force);
       const GravityReport report =
         step(*part.weights, *part.fixities, *part.nodes, part.points(), {});
       part.complete(scene.nodes);

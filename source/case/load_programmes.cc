@@ -5,6 +5,7 @@
 #include <waker/particles/point_loads.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace Waker
@@ -137,17 +138,17 @@ namespace Waker
 
   template <int dim>
   void
-  LoadProgrammes<dim>::watch(State<dim> &state) const
+  LoadProgrammes<dim>::watch(const Body<dim> &body, State<dim> &state) const
   {
     for (std::size_t i = 0; i < programmes.size(); ++i)
       {
         const LoadProgrammeParameters &p     = programmes[i].parameters();
         const auto                     value = [&](const Watched watched) {
           return watched_value(watched,
-                               state.points,
+                               body,
                                state.failure,
                                state.settlement_rate,
-                               carried_load(p, state.points));
+                               carried_load(p, body.own()));
         };
         programmes[i].watch({value(p.held_by),
                              value(p.stopped_by),
@@ -159,7 +160,9 @@ namespace Waker
 
   template <int dim>
   void
-  LoadProgrammes<dim>::proceed(State<dim> &state) const
+  LoadProgrammes<dim>::proceed(const NodeExchange  &ranks,
+                               MaterialPoints<dim> &points,
+                               State<dim>          &state) const
   {
     for (std::size_t i = 0; i < programmes.size(); ++i)
       {
@@ -168,7 +171,7 @@ namespace Waker
         const double                   before = record.factor;
         programmes[i].proceed(state.time, record);
         if (becomes_mass(p))
-          add_mass(p, record.factor - before, state);
+          add_mass(p, record.factor - before, ranks, points, state);
       }
   }
 
@@ -177,24 +180,37 @@ namespace Waker
   void
   LoadProgrammes<dim>::add_mass(const LoadProgrammeParameters &programme,
                                 const double                   height,
+                                const NodeExchange            &ranks,
+                                MaterialPoints<dim>           &points,
                                 State<dim>                    &state) const
   {
     if (height == 0.)
       return;
-    MaterialPoints<dim>       &points = state.points;
     const std::vector<double> &weight = carried_load(programme, points);
+    // Mass, energy, momentum, force.
+    std::array<double, 2 + 2 * dim> sums{};
     for (std::size_t p = 0; p < points.n_points(); ++p)
       {
         if (weight[p] == 0.)
           continue;
-        const double mass    = weight[p] * height / gravity;
-        const double kinetic = 0.5 * mass * points.velocity[p].norm_square();
+        const double mass = weight[p] * height / gravity;
         points.mass[p] += mass;
-        state.energy.kinetic += kinetic;
-        state.energy.inflow += kinetic;
-        state.flow.mass_in += mass;
-        state.flow.momentum_in += mass * points.velocity[p];
-        state.flow.force += mass * points.acceleration[p];
+        sums[0] += mass;
+        sums[1] += 0.5 * mass * points.velocity[p].norm_square();
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            sums[2 + d] += mass * points.velocity[p][d];
+            sums[2 + dim + d] += mass * points.acceleration[p][d];
+          }
+      }
+    ranks.sum(sums.data(), sums.size());
+    state.flow.mass_in += sums[0];
+    state.energy.kinetic += sums[1];
+    state.energy.inflow += sums[1];
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        state.flow.momentum_in[d] += sums[2 + d];
+        state.flow.force[d] += sums[2 + dim + d];
       }
   }
 

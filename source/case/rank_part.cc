@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/ranks.h>
 #include <waker/case/rank_part.h>
+#include <waker/loads/nodal_support.h>
 #include <waker/mapping/transfer.h>
+#include <waker/surface/user_surface.h>
+
+#include <algorithm>
 
 namespace Waker
 {
@@ -32,19 +36,25 @@ namespace Waker
     , communicator(the_case.grid.communicator())
     , partition(balanced(the_case.grid, communicator, whole))
     , exchange(*partition, communicator, whole)
+    , loads_surfaces(the_case.parameters.water.stands() ||
+                     !the_case.parameters.tractions.empty())
   {
     make_window();
-    for (const LoadProgrammeParameters &programme :
-         the_case.parameters.load_programmes)
-      {
-        for (const Watched watched :
-             {programme.held_by, programme.stopped_by, programme.quantity})
-          if (watched == Watched::plastic_strain)
-            needed.push_back("plastic strain");
-        // What becomes mass has the acceleration of its point.
-        needed.push_back("acceleration");
-      }
   }
+
+
+  namespace
+  {
+    std::vector<unsigned int>
+    owned_nodes(const NodeExchange &ranks, const unsigned int n_nodes)
+    {
+      std::vector<unsigned int> owned;
+      for (unsigned int node = 0; node < n_nodes; ++node)
+        if (ranks.owns(node))
+          owned.push_back(node);
+      return owned;
+    }
+  } // namespace
 
 
   template <int dim>
@@ -52,7 +62,10 @@ namespace Waker
   RankPart<dim>::make_window()
   {
     if (grid)
-      sent_before += grid->exchange().traffic();
+      {
+        sent_before += grid->exchange().traffic();
+        sent_before += load_grid->exchange().traffic();
+      }
     // Those that look at the window go first.
     weights.reset();
     fixities.reset();
@@ -64,6 +77,15 @@ namespace Waker
       std::make_unique<Weights<dim>>(*grid,
                                      the_case->parameters.mapping.functions);
     nodes = std::make_unique<NodalState>(*grid);
+
+    constexpr int reach = std::max(support_reach, carrying_reach);
+    load_grid           = partition->make_window({reach, reach});
+    load_mass.assign(load_grid->n_nodes(), 0.);
+    load_force.reinit(load_grid->n_dofs());
+    // Both in the order of the whole grid.
+    own_nodes      = owned_nodes(grid->exchange(), grid->n_nodes());
+    own_load_nodes = owned_nodes(load_grid->exchange(), load_grid->n_nodes());
+    AssertDimension(own_nodes.size(), own_load_nodes.size());
   }
 
 
@@ -86,36 +108,70 @@ namespace Waker
   {
     grid->exchange().together([&]() { weights->reinit(exchange.own()); });
     to_nodes(exchange.own(), *weights, *nodes);
+    if (loads_surfaces)
+      spread(nodes->mass.data(), 1, load_mass.data());
   }
 
 
   template <int dim>
   void
-  RankPart<dim>::gather_mass(std::vector<double> &all) const
+  RankPart<dim>::spread(const double *const mine,
+                        const unsigned int  n_components,
+                        double *const       there) const
   {
-    partition->gather(*grid, nodes->mass.data(), 1, all.data());
+    for (std::size_t k = 0; k < own_nodes.size(); ++k)
+      std::copy_n(mine + std::size_t(n_components) * own_nodes[k],
+                  n_components,
+                  there + std::size_t(n_components) * own_load_nodes[k]);
+    load_grid->exchange().send_to_others({{there, n_components}});
   }
 
 
   template <int dim>
   void
-  RankPart<dim>::take_loads(const NodalVector *const all,
-                            NodalVector             &of_points)
+  RankPart<dim>::spread_increment(NodalVector &increment) const
   {
-    NodalVector &force = nodes->external_force;
-    if (all != nullptr)
-      partition->restrict_to(*grid, all->begin(), dim, force.begin());
+    increment.reinit(load_grid->n_dofs());
+    spread(nodes->increment.begin(), dim, increment.begin());
+  }
+
+
+  template <int dim>
+  void
+  RankPart<dim>::take_external_force(const NodalVector &all)
+  {
+    partition->restrict_to(*grid,
+                           all.begin(),
+                           dim,
+                           nodes->external_force.begin());
+  }
+
+
+  template <int dim>
+  void
+  RankPart<dim>::add_loads(NodalVector &of_points)
+  {
+    if (loads_surfaces)
+      {
+        load_grid->exchange().add_to_owners({{load_force.begin(), dim}});
+        for (std::size_t k = 0; k < own_nodes.size(); ++k)
+          for (unsigned int c = 0; c < dim; ++c)
+            of_points.local_element(dim * own_nodes[k] + c) +=
+              load_force.local_element(dim * own_load_nodes[k] + c);
+      }
     grid->exchange().sum({{of_points.begin(), dim}});
-    force += of_points;
+    nodes->external_force += of_points;
   }
 
 
   template <int dim>
   void
-  RankPart<dim>::gather_increment(NodalVector &all) const
+  RankPart<dim>::gather_loads(const NodalVector &values, NodalVector &all) const
   {
+    NodalVector sum = values;
+    load_grid->exchange().add_to_owners({{sum.begin(), dim}});
     all.reinit(dim * the_case->grid.n_nodes());
-    partition->gather(*grid, nodes->increment.begin(), dim, all.begin());
+    partition->gather(*load_grid, sum.begin(), dim, all.begin());
   }
 
 
@@ -133,7 +189,7 @@ namespace Waker
   RankPart<dim>::know_places()
   {
     if (!places_are_known)
-      exchange.gather_places(*whole, needed);
+      exchange.gather_places(*whole);
     places_are_known = true;
     return *whole;
   }
@@ -153,7 +209,7 @@ namespace Waker
   void
   RankPart<dim>::complete_nodes(NodalState &all) const
   {
-    gather_mass(all.mass);
+    partition->gather(*grid, nodes->mass.data(), 1, all.mass.data());
     const auto gather = [&](const NodalVector &mine, NodalVector &theirs) {
       theirs.reinit(dim * the_case->grid.n_nodes());
       partition->gather(*grid, mine.begin(), dim, theirs.begin());

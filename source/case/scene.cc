@@ -2,6 +2,7 @@
 #include <waker/base/errors.h>
 #include <waker/case/rank_part.h>
 #include <waker/case/scene.h>
+#include <waker/loads/point_force.h>
 #include <waker/mapping/transfer.h>
 #include <waker/mechanics/point_motion.h>
 #include <waker/mechanics/time_scheme.h>
@@ -28,27 +29,66 @@ namespace Waker
   } // namespace
 
 
+  namespace
+  {
+    // On the nodes that this rank deals with.
+
+    template <int dim>
+    WaterLoad<dim>
+    water_of(const Case<dim> &the_case, const RankPart<dim> *const part)
+    {
+      return {part != nullptr ? *part->load_grid : the_case.grid,
+              the_case.parameters.water,
+              the_case.parameters.surface};
+    }
+
+
+    template <int dim>
+    Tractions<dim>
+    tractions_of(const Case<dim> &the_case, const RankPart<dim> *const part)
+    {
+      return {the_case.grid,
+              part != nullptr ? *part->load_grid : the_case.grid,
+              the_case.parameters.tractions,
+              the_case.user_surfaces,
+              the_case.riding_loads};
+    }
+
+
+    template <int dim>
+    Walls<dim>
+    walls_of(const Case<dim> &the_case, const RankPart<dim> *const part)
+    {
+      return {part != nullptr ? *part->grid : the_case.grid,
+              the_case.parameters.walls,
+              stiffest_modulus(the_case.materials),
+              the_case.full_node_mass};
+    }
+  } // namespace
+
+
   template <int dim>
   Scene<dim>::Scene(const Case<dim> &the_case, RankPart<dim> *const part)
     : weights(the_case.grid, the_case.parameters.mapping.functions)
     , nodes(the_case.grid)
     , surfaces(surfaces_of(the_case, weights.functions()))
-    , water(the_case.grid,
-            the_case.parameters.water,
-            the_case.parameters.surface)
-    , tractions(the_case.grid,
-                the_case.parameters.tractions,
-                the_case.user_surfaces,
-                the_case.riding_loads)
-    , walls(the_case.grid,
-            the_case.parameters.walls,
-            stiffest_modulus(the_case.materials),
-            the_case.full_node_mass)
+    , water(water_of(the_case, part))
+    , tractions(tractions_of(the_case, part))
+    , walls(walls_of(the_case, part))
     , the_case(&the_case)
     , part(part)
-    , point_loads(the_case.grid)
-    , driven(the_case.grid, the_case.programmes, the_case.parameters)
+    , driven(the_case.programmes, the_case.parameters)
   {}
+
+
+  template <int dim>
+  void
+  Scene<dim>::follow_part()
+  {
+    water     = water_of(*the_case, part);
+    tractions = tractions_of(*the_case, part);
+    walls     = walls_of(*the_case, part);
+  }
 
 
   template <int dim>
@@ -79,8 +119,6 @@ namespace Waker
     if (part != nullptr)
       {
         part->map();
-        if (looks_at_all())
-          part->gather_mass(nodes.mass);
         return;
       }
     weights.reinit(points);
@@ -125,7 +163,7 @@ namespace Waker
       surfaces.reset(part->body());
     else
       surfaces.reset(state.points);
-    if (part != nullptr && has_loads_on_places())
+    if (part != nullptr && tractions.look_at_points())
       part->know_places();
     do_at_step(state.step, [&]() {
       tractions.find(state.points, state.surface_vertices, surfaces);
@@ -149,9 +187,10 @@ namespace Waker
   void
   Scene<dim>::meet_walls(State<dim> &state)
   {
-    walls.reinit(state.points, nodes.mass, state.time, state.wall_tractions);
-    if (part != nullptr)
-      walls.keep_own(*part->grid);
+    walls.reinit(part != nullptr ? part->points() : state.points,
+                 step_nodes().mass,
+                 state.time,
+                 state.wall_tractions);
   }
 
 
@@ -255,45 +294,38 @@ namespace Waker
                            const double                   time,
                            const std::vector<LoadRecord> &records)
   {
-    const bool on_part = part != nullptr && !looks_at_all();
-    set_gravity<dim>(the_case->parameters.gravity.acceleration,
-                     on_part ? *part->nodes : nodes);
-    // What points carry themselves is known where they are.
+    NodalState &mine = step_nodes();
+    set_gravity<dim>(the_case->parameters.gravity.acceleration, mine);
     const MaterialPoints<dim> &own = part != nullptr ? part->points() : points;
     const Weights<dim>        &own_weights =
       part != nullptr ? *part->weights : weights;
     if (part != nullptr)
-      of_points.reinit(part->grid->n_dofs());
-    NodalVector &own_force = part != nullptr ? of_points : nodes.external_force;
+      {
+        of_points.reinit(part->grid->n_dofs());
+        part->load_force = 0.;
+      }
+    NodalVector &on_points = part != nullptr ? of_points : mine.external_force;
+    NodalVector &on_surfaces =
+      part != nullptr ? part->load_force : mine.external_force;
+    const std::vector<double> &mass =
+      part != nullptr ? part->load_mass : mine.mass;
+
     driven.drive(records,
                  time,
-                 {points,
-                  nodes.external_force,
-                  own,
-                  own_weights,
-                  own_force,
-                  nodes.mass,
-                  tractions,
-                  water});
+                 {own, own_weights, on_points, tractions, water});
     water.find(surfaces, time);
-    water.add_nodal_forces(nodes.mass,
-                           the_case->full_node_mass,
-                           nodes.external_force);
+    water.add_nodal_forces(mass, the_case->full_node_mass, on_surfaces);
     water_resultant = water.resultant();
-    tractions.add(
-      time, points, nodes.mass, the_case->full_node_mass, nodes.external_force);
-    the_case->pore_water.add_nodal_forces(own, own_weights, own_force);
-    if (!points.load.empty())
-      {
-        // Eq. 3.2, with linear functions also under GIMP.
-        point_loads.clear();
-        for (std::size_t p = 0; p < points.n_points(); ++p)
-          if (points.load[p] != Tensor<1, dim>())
-            point_loads.add(points.position[p], points.load[p]);
-        point_loads.distribute(nodes.mass, 0., nodes.external_force);
-      }
+    tractions.add(time, points, mass, the_case->full_node_mass, on_surfaces);
+    the_case->pore_water.add_nodal_forces(own, own_weights, on_points);
+    for (std::size_t p = 0; p < own.load.size(); ++p)
+      if (own.load[p] != Tensor<1, dim>())
+        add_point_force(own_weights.background_grid(),
+                        own.position[p],
+                        own.load[p],
+                        on_points);
     if (part != nullptr)
-      part->take_loads(on_part ? nullptr : &nodes.external_force, of_points);
+      part->add_loads(of_points);
   }
 
 
@@ -329,19 +361,16 @@ namespace Waker
 
 
   template <int dim>
-  bool
-  Scene<dim>::has_loads_on_places() const
+  void
+  Scene<dim>::complete(State<dim> &state)
   {
-    return tractions.size() > 0 || !walls.empty() || !driven.empty() ||
-           !the_case->parameters.point_loads.empty();
-  }
-
-
-  template <int dim>
-  bool
-  Scene<dim>::looks_at_all() const
-  {
-    return has_loads_on_places() || the_case->parameters.water.stands();
+    if (part == nullptr)
+      return;
+    part->complete(nodes);
+    tractions.complete([&](const NodalVector &window, NodalVector &all) {
+      part->gather_loads(window, all);
+    });
+    surfaces.look_at_whole(state.points);
   }
 
 

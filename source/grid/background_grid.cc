@@ -140,6 +140,7 @@ namespace Waker
         node_origin[d] = lower[d] - margin * h;
       }
     whole_origin = node_origin;
+    n_whole_1d   = n_nodes_1d;
 
     node_exchange = std::make_shared<const NodeExchange>(n_nodes_total);
   }
@@ -157,6 +158,7 @@ namespace Waker
     , h(whole.h)
     , inverse_h(whole.inverse_h)
     , n_nodes_1d(n_nodes)
+    , n_whole_1d(whole.n_whole_1d)
     , n_nodes_total(1)
     , n_cells_total(1)
     , mpi_communicator(whole.mpi_communicator)
@@ -196,8 +198,8 @@ namespace Waker
                                 const double      clearance) const
   {
     for (unsigned int d = 0; d < dim; ++d)
-      if (!(x[d] - clearance >= node_origin[d] &&
-            x[d] + clearance <= node_origin[d] + h * (n_nodes_1d[d] - 1)))
+      if (!(x[d] - clearance >= whole_origin[d] &&
+            x[d] + clearance <= whole_origin[d] + h * (n_whole_1d[d] - 1)))
         return false;
     return true;
   }

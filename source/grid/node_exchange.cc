@@ -294,16 +294,14 @@ namespace Waker
   }
 
 
-  double
-  NodeExchange::largest(const double number) const
+  void
+  NodeExchange::largest(double *const numbers, const unsigned int n) const
   {
-    if (plan == nullptr)
-      return number;
-    double result = number;
+    if (plan == nullptr || n == 0)
+      return;
     MPI_Allreduce(
-      MPI_IN_PLACE, &result, 1, MPI_DOUBLE, MPI_MAX, mpi_communicator);
+      MPI_IN_PLACE, numbers, n, MPI_DOUBLE, MPI_MAX, mpi_communicator);
     ++sent.reductions;
-    return result;
   }
 
 

@@ -225,11 +225,10 @@ namespace Waker
 
   template <int dim>
   std::unique_ptr<const BackgroundGrid<dim>>
-  Partition<dim>::make_window() const
+  Partition<dim>::make_window(const Reach reach) const
   {
-    using Index = typename BackgroundGrid<dim>::Index;
-    // A support domain reaches a node below its point's cell and one above.
-    constexpr int below = 1, above = 2;
+    using Index     = typename BackgroundGrid<dim>::Index;
+    const int below = reach.below, above = reach.above;
 
     // At least a stencil, of which nothing is owned.
     Index first, last;

@@ -10,27 +10,12 @@
 namespace Waker
 {
   template <int dim>
-  FacetLoad<dim>::FacetLoad(const BackgroundGrid<dim> &grid)
-    : FacetLoad(grid.origin(), grid.cell_size(), grid.n_nodes_per_direction())
+  FacetLoad<dim>::FacetLoad(const LoadNodes<dim> &nodes)
+    : lattice(nodes)
+    , distribution(nodes)
+    , forces(dim * nodes.n_nodes(), 0.)
+    , is_loaded(nodes.n_nodes(), 0)
   {}
-
-
-
-  template <int dim>
-  FacetLoad<dim>::FacetLoad(const Point<dim>                    &origin,
-                            const double                         cell_size,
-                            const std::array<unsigned int, dim> &n_nodes)
-    : origin(origin)
-    , h(cell_size)
-    , inverse_h(1. / cell_size)
-    , n_nodes(n_nodes)
-  {
-    std::size_t n = 1;
-    for (unsigned int d = 0; d < dim; ++d)
-      n *= n_nodes[d];
-    forces.assign(dim * n, 0.);
-    is_loaded.assign(n, 0);
-  }
 
 
 
@@ -56,7 +41,7 @@ namespace Waker
     Index cell;
     for (unsigned int d = 0; d < dim; ++d)
       {
-        const int last = n_nodes[d] - 2;
+        const int last = lattice.n_whole[d] - 2;
         Assert(x[d] > -1e-6 && x[d] < last + 1 + 1e-6,
                ExcMessage("A load must lie inside the grid and its margin."));
         cell[d] =
@@ -79,8 +64,8 @@ namespace Waker
     for (unsigned int d = 0; d < dim; ++d)
       {
         strides[d] = stride;
-        first += stride * cell[d];
-        stride *= n_nodes[d];
+        first += stride * (cell[d] - lattice.first[d]);
+        stride *= lattice.n[d];
       }
 
     for (unsigned int i = 0; i < (1u << dim); ++i)
@@ -117,8 +102,10 @@ namespace Waker
     const Tensor<1, dim> along = b - a;
     Point<dim>           middle;
     for (unsigned int d = 0; d < dim; ++d)
-      middle[d] = (0.5 * (a[d] + b[d]) - origin[d]) * inverse_h;
+      middle[d] = (0.5 * (a[d] + b[d]) - lattice.origin[d]) * lattice.inverse_h;
     const Index cell = cell_of(middle);
+    if (!lattice.has_cell(cell))
+      return;
 
     const double weight = 0.5 * along.norm();
     const double offset = 0.5 / std::sqrt(3.);
@@ -127,7 +114,7 @@ namespace Waker
         const Point<dim> x = a + t * along;
         Point<dim>       u;
         for (unsigned int d = 0; d < dim; ++d)
-          u[d] = (x[d] - origin[d]) * inverse_h - cell[d];
+          u[d] = (x[d] - lattice.origin[d]) * lattice.inverse_h - cell[d];
         add_in_cell(cell, u, force_at(x, weight));
       }
   }
@@ -147,10 +134,12 @@ namespace Waker
     constexpr double b[2] = {0.445948490915964886, 0.0915762135097707435};
     constexpr double w[2] = {0.223381589678011466, 0.109951743655321868};
 
+    if (!lattice.has_cell(cell))
+      return;
     for (unsigned int k = 1; k + 1 < n; ++k)
       {
         const Point<dim> *vertices[3] = {corners, corners + k, corners + k + 1};
-        const double      area        = 0.5 * h * h *
+        const double      area        = 0.5 * lattice.h * lattice.h *
                             cross_product_3d(*vertices[1] - *vertices[0],
                                              *vertices[2] - *vertices[0])
                               .norm();
@@ -168,7 +157,7 @@ namespace Waker
                   const double xi =
                     b[orbit] * sum[d] + (1. - 3. * b[orbit]) * (*v)[d];
                   u[d] = xi - cell[d];
-                  x[d] = origin[d] + h * xi;
+                  x[d] = lattice.origin[d] + lattice.h * xi;
                 }
               add_in_cell(cell, u, force_at(x, w[orbit] * area));
             }
@@ -178,10 +167,34 @@ namespace Waker
 
 
   template <int dim>
+  bool
+  FacetLoad<dim>::may_meet(const Facet<dim> &facet) const
+  {
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        double low = facet.vertices[0][d], high = low;
+        for (const Point<dim> &x : facet.vertices)
+          {
+            low  = std::min(low, x[d]);
+            high = std::max(high, x[d]);
+          }
+        // A cell more, for round-off.
+        const double begin = lattice.origin[d] + lattice.h * lattice.first[d];
+        if (high < begin - lattice.h || low > begin + lattice.h * lattice.n[d])
+          return false;
+      }
+    return true;
+  }
+
+
+
+  template <int dim>
   template <typename Force>
   void
   FacetLoad<dim>::integrate(const Facet<dim> &facet, const Force &force_at)
   {
+    if (!may_meet(facet))
+      return;
     if constexpr (dim == 2)
       {
         // Cut the segment where it crosses the lines of the lattice.
@@ -191,9 +204,10 @@ namespace Waker
         cuts.push_back(0.);
         for (unsigned int d = 0; d < 2; ++d)
           {
-            const double a    = (from[d] - origin[d]) * inverse_h;
-            const double b    = (facet.vertices[1][d] - origin[d]) * inverse_h;
-            const int    last = std::ceil(std::max(a, b));
+            const double a = (from[d] - lattice.origin[d]) * lattice.inverse_h;
+            const double b =
+              (facet.vertices[1][d] - lattice.origin[d]) * lattice.inverse_h;
+            const int last = std::ceil(std::max(a, b));
             for (int i = std::floor(std::min(a, b)) + 1; i < last; ++i)
               cuts.push_back((i - a) / (b - a));
           }
@@ -213,13 +227,13 @@ namespace Waker
           {
             Point<3> x;
             for (unsigned int d = 0; d < 3; ++d)
-              x[d] = (vertex[d] - origin[d]) * inverse_h;
+              x[d] = (vertex[d] - lattice.origin[d]) * lattice.inverse_h;
             cell_of(x); // is it inside?
             polygon.add(x);
           }
         int n_cells[3];
         for (unsigned int d = 0; d < 3; ++d)
-          n_cells[d] = n_nodes[d] - 1;
+          n_cells[d] = lattice.n_whole[d] - 1;
         Index first;
         cut_into_cells(polygon,
                        0,
@@ -265,8 +279,10 @@ namespace Waker
   {
     Point<dim> u;
     for (unsigned int d = 0; d < dim; ++d)
-      u[d] = (x[d] - origin[d]) * inverse_h;
+      u[d] = (x[d] - lattice.origin[d]) * lattice.inverse_h;
     const Index cell = cell_of(u);
+    if (!lattice.has_cell(cell))
+      return;
     for (unsigned int d = 0; d < dim; ++d)
       u[d] -= cell[d];
     add_in_cell(cell, u, force);
@@ -278,39 +294,11 @@ namespace Waker
   void
   FacetLoad<dim>::distribute(const std::vector<double> &node_mass,
                              const double               minimum_mass,
-                             NodalVector               &force)
+                             NodalVector               &force,
+                             const std::vector<Plane>  &planes)
   {
-    AssertDimension(dim * node_mass.size(), forces.size());
-    AssertDimension(force.locally_owned_size(), forces.size());
-    distribute(node_mass.data(), minimum_mass, 1., dim, force.begin());
-  }
-
-
-
-  template <int dim>
-  void
-  FacetLoad<dim>::distribute(const double      *node_mass,
-                             const double       minimum_mass,
-                             const double       factor,
-                             const unsigned int stride,
-                             double            *force)
-  {
-    for (const unsigned int node : loaded_nodes)
-      {
-        double load[dim];
-        for (unsigned int d = 0; d < dim; ++d)
-          load[d] = factor * forces[dim * node + d];
-        if (node_mass[node] >= minimum_mass)
-          {
-            for (unsigned int d = 0; d < dim; ++d)
-              force[stride * node + d] += load[d];
-            continue;
-          }
-        find_support<dim>(node_mass, minimum_mass, n_nodes, node, support);
-        for (const SupportNode<dim> &s : support)
-          for (unsigned int d = 0; d < dim; ++d)
-            force[stride * s.node + d] += s.weight * load[d];
-      }
+    distribution.add(
+      loaded_nodes, forces, planes, node_mass, minimum_mass, force);
   }
 
 

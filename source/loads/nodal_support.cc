@@ -179,16 +179,17 @@ namespace Waker
 
 
   template <int dim>
-  void
+  bool
   find_support(const double                        *mass,
                const double                         minimum_mass,
                const std::array<unsigned int, dim> &n,
                const unsigned int                   node,
-               std::vector<SupportNode<dim>>       &nodes)
+               std::vector<SupportNode<dim>>       &nodes,
+               const int                            reach)
   {
     constexpr double largest_weight = 2.;
-    constexpr int    largest_radius = 4; // of a search for smaller weights
 
+    Assert(reach >= support_reach, ExcInternalError());
     nodes.clear();
     std::array<int, dim> size;
     std::array<int, dim> centre;
@@ -220,7 +221,7 @@ namespace Waker
     // Squares grow by rings, so a smaller square is a shorter part of `nodes`.
     std::size_t n_best = 0;
     double      best   = std::numeric_limits<double>::max();
-    for (int r = 1; r <= last; ++r)
+    for (int r = 1; r <= std::min(last, reach); ++r)
       {
         visit_ring(centre, size, r, consider);
         if (determine_linear_function(nodes))
@@ -234,7 +235,7 @@ namespace Waker
             if (best <= largest_weight)
               break;
           }
-        if (n_best > 0 && r >= largest_radius)
+        if (n_best > 0 && r >= support_reach)
           break;
       }
 
@@ -245,12 +246,17 @@ namespace Waker
             nodes.resize(n_best);
             set_weights(nodes, n_best);
           }
-        return;
+        return true;
+      }
+    if (reach < anywhere)
+      {
+        nodes.clear();
+        return false;
       }
 
     // No linear function: the nearest.
     if (nodes.empty())
-      return;
+      return true;
     const auto closer = [](const SupportNode<dim> &a,
                            const SupportNode<dim> &b) {
       return a.distance < b.distance;
@@ -265,19 +271,22 @@ namespace Waker
                 nodes.end());
     for (SupportNode<dim> &s : nodes)
       s.weight = 1. / nodes.size();
+    return true;
   }
 
 
-  template void
+  template bool
   find_support<2>(const double *,
                   const double,
                   const std::array<unsigned int, 2> &,
                   const unsigned int,
-                  std::vector<SupportNode<2>> &);
-  template void
+                  std::vector<SupportNode<2>> &,
+                  const int);
+  template bool
   find_support<3>(const double *,
                   const double,
                   const std::array<unsigned int, 3> &,
                   const unsigned int,
-                  std::vector<SupportNode<3>> &);
+                  std::vector<SupportNode<3>> &,
+                  const int);
 } // namespace Waker

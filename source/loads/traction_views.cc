@@ -34,22 +34,33 @@ namespace Waker
   typename Tractions<dim>::View
   Tractions<dim>::view(const std::size_t i) const
   {
-    const Item &item = items[i];
-    return {item.parameters.name, &item.loaded, &item.force, &item.point_loads};
+    const Item &item     = items[i];
+    const bool  is_alone = ranks->is_one_rank();
+    return {item.parameters.name,
+            &item.loaded,
+            is_alone ? &item.force : &item.whole_force,
+            &item.point_loads};
+  }
+
+
+  template <int dim>
+  void
+  Tractions<dim>::complete(
+    const std::function<void(const NodalVector &, NodalVector &)> &gather)
+  {
+    for (Item &item : items)
+      gather(item.force, item.whole_force);
   }
 
 
   template <int dim>
   typename Tractions<dim>::Resultant
-  Tractions<dim>::resultant(const std::size_t          i,
-                            const std::vector<double> &node_mass) const
+  Tractions<dim>::resultant(const std::size_t i) const
   {
     const Item &item = items[i];
     Resultant   resultant{{}, 0.};
-    for (unsigned int node = 0; node < node_mass.size(); ++node)
-      if (node_mass[node] > 0.)
-        for (unsigned int d = 0; d < dim; ++d)
-          resultant.force[d] += item.force.local_element(dim * node + d);
+    for (unsigned int d = 0; d < dim; ++d)
+      resultant.force[d] = item.on_mass[d];
     for (const Facet<dim> &facet : item.loaded)
       resultant.measure += facet.measure();
     // Loads that were fixed have no facets any more.
@@ -121,7 +132,10 @@ namespace Waker
   template Tractions<2>::View
   Tractions<2>::view(const std::size_t) const;
   template Tractions<2>::Resultant
-  Tractions<2>::resultant(const std::size_t, const std::vector<double> &) const;
+  Tractions<2>::resultant(const std::size_t) const;
+  template void
+  Tractions<2>::complete(
+    const std::function<void(const NodalVector &, NodalVector &)> &);
   template void
   Tractions<2>::record(const double, std::vector<TractionRecord> &) const;
   template void
@@ -135,7 +149,10 @@ namespace Waker
   template Tractions<3>::View
   Tractions<3>::view(const std::size_t) const;
   template Tractions<3>::Resultant
-  Tractions<3>::resultant(const std::size_t, const std::vector<double> &) const;
+  Tractions<3>::resultant(const std::size_t) const;
+  template void
+  Tractions<3>::complete(
+    const std::function<void(const NodalVector &, NodalVector &)> &);
   template void
   Tractions<3>::record(const double, std::vector<TractionRecord> &) const;
   template void

@@ -5,6 +5,7 @@
 #include <waker/loads/tractions.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace Waker
@@ -27,11 +28,13 @@ namespace Waker
 
   template <int dim>
   Tractions<dim>::Tractions(const BackgroundGrid<dim>             &grid,
+                            const BackgroundGrid<dim>             &window,
                             const std::vector<TractionParameters> &parameters,
                             const std::vector<UserSurface<dim>>   &surfaces,
                             const std::vector<RidingLoad<dim>>    &riding)
     : grid(&grid)
-    , load(grid)
+    , ranks(&window.exchange())
+    , load(window)
     , shares(grid)
   {
     AssertDimension(surfaces.size(), parameters.size());
@@ -46,7 +49,8 @@ namespace Waker
                          {},
                          {},
                          {},
-                         NodalVector(grid.n_dofs()),
+                         NodalVector(window.n_dofs()),
+                         {},
                          {}});
         // The input was checked by the facts: the placement must agree.
         const MethodFacts             facts = facts_of(parameters[i].method);
@@ -59,6 +63,17 @@ namespace Waker
                                std::string(name_of(parameters[i].method)) +
                                "\" disagree"));
       }
+  }
+
+
+  template <int dim>
+  bool
+  Tractions<dim>::look_at_points() const
+  {
+    return std::any_of(items.begin(), items.end(), [](const Item &item) {
+      return item.placement->on_points() ||
+             (item.rides() && item.riding->on_points);
+    });
   }
 
 
@@ -182,25 +197,43 @@ namespace Waker
           add_point_loads(item, points);
         else
           add_facets(item);
-        item.total = item.lost = 0.;
-        for (const unsigned int node : load.nodes())
-          {
-            double square = 0.;
-            for (unsigned int d = 0; d < dim; ++d)
-              square +=
-                Utilities::fixed_power<2>(load.nodal_forces()[dim * node + d]);
-            const double size = std::sqrt(square);
-            item.total += size;
-            if (!(node_mass[node] > 0.) &&
-                item.parameters.minimum_support == 0.)
-              item.lost += size;
-          }
         item.force = 0.;
         load.distribute(node_mass,
                         item.parameters.minimum_support * full_node_mass,
                         item.force);
+        add_up(node_mass, item);
         force += item.force;
       }
+  }
+
+
+  template <int dim>
+  void
+  Tractions<dim>::add_up(const std::vector<double> &node_mass, Item &item) const
+  {
+    std::array<double, 2 + dim> sums{};
+    for (const unsigned int node : load.nodes())
+      {
+        if (!ranks->owns(node))
+          continue;
+        double square = 0.;
+        for (unsigned int d = 0; d < dim; ++d)
+          square +=
+            Utilities::fixed_power<2>(load.nodal_forces()[dim * node + d]);
+        const double size = std::sqrt(square);
+        sums[0] += size;
+        if (!(node_mass[node] > 0.) && item.parameters.minimum_support == 0.)
+          sums[1] += size;
+      }
+    for (unsigned int node = 0; node < node_mass.size(); ++node)
+      if (node_mass[node] > 0.)
+        for (unsigned int d = 0; d < dim; ++d)
+          sums[2 + d] += item.force.local_element(dim * node + d);
+    ranks->sum(sums.data(), sums.size());
+    item.total = sums[0];
+    item.lost  = sums[1];
+    for (unsigned int d = 0; d < dim; ++d)
+      item.on_mass[d] = sums[2 + d];
   }
 
 

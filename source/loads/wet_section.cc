@@ -13,11 +13,27 @@ namespace Waker
                               const WaterSide            side)
     : grid(&grid)
     , water_left(side == WaterSide::left)
-    , load(Point<2>(grid.origin()[0], grid.origin()[1]),
-           grid.cell_size(),
-           {{grid.n_nodes_per_direction()[0], grid.n_nodes_per_direction()[1]}})
+    , load(grid)
   {
     Assert(side != WaterSide::none, ExcInternalError());
+    if constexpr (dim == 2)
+      planes = {{}};
+    else
+      {
+        // Those that hold a part of the box, with the integral of their linear
+        // function over it. At its ends a body reaches half as far along z as
+        // inside, and so does the full mass of a node.
+        const int first = grid.margin;
+        const int last =
+          grid.lattice_nodes_per_direction()[2] - 1 - grid.margin;
+        for (unsigned int k = 0; k < grid.n_nodes_per_direction()[2]; ++k)
+          {
+            const int    z     = grid.offset()[2] + static_cast<int>(k);
+            const double share = z == first || z == last ? 0.5 : 1.;
+            if (z >= first && z <= last)
+              planes.push_back({k, share, share * grid.cell_size()});
+          }
+      }
   }
 
 
@@ -56,28 +72,7 @@ namespace Waker
       load.add_pressure(segment, [&](const Point<2> &x) {
         return liquid.pressure(x[1]);
       });
-
-    // Planes of nodes along z that hold a part of the box, and the integral of
-    // their linear function over it.
-    constexpr unsigned int z           = dim - 1;
-    const unsigned int     first_plane = dim == 3 ? grid->margin : 0;
-    const unsigned int     last_plane =
-      dim == 3 ? grid->n_nodes_per_direction()[z] - 1 - grid->margin : 0;
-    const unsigned int plane_size =
-      grid->n_nodes_per_direction()[0] * grid->n_nodes_per_direction()[1];
-    for (unsigned int plane = first_plane; plane <= last_plane; ++plane)
-      {
-        // At its ends a body reaches half as far along z as inside, and so does
-        // the full mass of a node.
-        const double share =
-          (dim == 3 && (plane == first_plane || plane == last_plane)) ? 0.5
-                                                                      : 1.;
-        load.distribute(node_mass.data() + plane * plane_size,
-                        share * minimum_mass,
-                        dim == 3 ? share * grid->cell_size() : 1.,
-                        dim,
-                        force.begin() + dim * plane * plane_size);
-      }
+    load.distribute(node_mass, minimum_mass, force, planes);
   }
 
 

@@ -45,13 +45,14 @@ namespace Waker
 
   template <int dim>
   double
-  largest_settlement(const MaterialPoints<dim> &points)
+  largest_settlement(const Body<dim> &body)
   {
-    double largest = 0.;
+    const MaterialPoints<dim> &points  = body.own();
+    double                     largest = 0.;
     for (std::size_t p = 0; p < points.n_points(); ++p)
       largest = std::max(largest,
                          points.initial_position[p][1] - points.position[p][1]);
-    return largest;
+    return body.largest(largest);
   }
 
 
@@ -59,44 +60,46 @@ namespace Waker
   {
     template <int dim>
     double
-    largest_displacement(const MaterialPoints<dim> &points)
+    largest_displacement(const Body<dim> &body)
     {
-      double square = 0.;
+      const MaterialPoints<dim> &points = body.own();
+      double                     square = 0.;
       for (std::size_t p = 0; p < points.n_points(); ++p)
         square = std::max(square,
                           points.position[p].distance_square(
                             points.initial_position[p]));
-      return std::sqrt(square);
+      return std::sqrt(body.largest(square));
     }
 
 
     template <int dim>
     double
-    settlement_of(const MaterialPoints<dim> &points,
-                  const std::vector<double> &load)
+    settlement_of(const Body<dim> &body, const std::vector<double> &load)
     {
-      double sum = 0., total = 0.;
+      const MaterialPoints<dim> &points  = body.own();
+      double                     sums[2] = {0., 0.}; // weighted, of weights
       for (std::size_t p = 0; p < load.size(); ++p)
         {
-          sum +=
+          sums[0] +=
             load[p] * (points.initial_position[p][1] - points.position[p][1]);
-          total += load[p];
+          sums[1] += load[p];
         }
-      return total > 0. ? sum / total
-                        : std::numeric_limits<double>::quiet_NaN();
+      body.sum(sums, 2);
+      return sums[1] > 0. ? sums[0] / sums[1]
+                          : std::numeric_limits<double>::quiet_NaN();
     }
 
 
     template <int dim>
     double
-    largest_plastic_strain(const MaterialPoints<dim> &points)
+    largest_plastic_strain(const Body<dim> &body)
     {
-      const int i = points.find_scalar("plastic strain");
+      const int i = body.own().find_scalar("plastic strain");
       if (i < 0)
         return std::numeric_limits<double>::quiet_NaN();
-      const auto &values = points.scalars[i].values;
-      return values.empty() ? 0.
-                            : *std::max_element(values.begin(), values.end());
+      const auto &values = body.own().scalars[i].values;
+      return body.largest(
+        values.empty() ? 0. : *std::max_element(values.begin(), values.end()));
     }
   } // namespace
 
@@ -104,7 +107,7 @@ namespace Waker
   template <int dim>
   double
   watched_value(const Watched              watched,
-                const MaterialPoints<dim> &points,
+                const Body<dim>           &body,
                 const FailureRecord       &failure,
                 const double               settlement_rate,
                 const std::vector<double> &load)
@@ -114,15 +117,15 @@ namespace Waker
         case Watched::nothing:
           break;
         case Watched::largest_settlement:
-          return largest_settlement(points);
+          return largest_settlement(body);
         case Watched::largest_settlement_rate:
           return settlement_rate;
         case Watched::largest_displacement:
-          return largest_displacement(points);
+          return largest_displacement(body);
         case Watched::settlement_of_load:
-          return settlement_of(points, load);
+          return settlement_of(body, load);
         case Watched::plastic_strain:
-          return largest_plastic_strain(points);
+          return largest_plastic_strain(body);
         case Watched::loss_of_height:
           return failure.initial_height - failure.geometry.height;
         case Watched::loss_of_width:
@@ -133,18 +136,18 @@ namespace Waker
 
 
   template double
-  largest_settlement(const MaterialPoints<2> &);
+  largest_settlement(const Body<2> &);
   template double
-  largest_settlement(const MaterialPoints<3> &);
+  largest_settlement(const Body<3> &);
   template double
   watched_value(const Watched,
-                const MaterialPoints<2> &,
+                const Body<2> &,
                 const FailureRecord &,
                 const double,
                 const std::vector<double> &);
   template double
   watched_value(const Watched,
-                const MaterialPoints<3> &,
+                const Body<3> &,
                 const FailureRecord &,
                 const double,
                 const std::vector<double> &);

@@ -33,7 +33,8 @@ namespace Waker
       {
         Spot      &spot  = spots[q];
         const auto begin = nodes.size();
-        if (!find_nodes(spot, node_mass, tractions[q]))
+        if (!is_own(spot.position) ||
+            !find_nodes(spot, node_mass, tractions[q]))
           {
             spot.touches = false;
             tractions[q] = Tensor<1, dim>();
@@ -53,41 +54,30 @@ namespace Waker
           walls[spot.wall].law.derivative(contact.start, Tensor<1, dim>());
         contacts.push_back(contact);
       }
+    share_contacts(tractions);
   }
 
 
   template <int dim>
   void
-  Walls<dim>::keep_own(const BackgroundGrid<dim> &window)
+  Walls<dim>::share_contacts(Tractions &tractions)
   {
-    using Index           = typename BackgroundGrid<dim>::Index;
-    ranks                 = &window.exchange();
-    const auto translated = [&](Index index) {
-      for (unsigned int d = 0; d < dim; ++d)
-        {
-          index[d] -= window.offset()[d];
-          if (index[d] < 0 ||
-              index[d] >= static_cast<int>(window.n_nodes_per_direction()[d]))
-            return numbers::invalid_unsigned_int;
-        }
-      return window.node(index);
-    };
-    std::vector<Contact> all;
-    all.swap(contacts);
-    for (const Contact &contact : all)
+    if (ranks->is_one_rank())
+      return;
+    std::vector<double> all;
+    for (std::size_t q = 0; q < spots.size(); ++q)
       {
-        const unsigned int corner =
-          translated(cell_of(spots[contact.spot].position));
-        if (corner == numbers::invalid_unsigned_int || !ranks->owns(corner))
-          continue;
-        // Within a support domain's reach of the cell.
-        for (std::size_t k = contact.begin; k < contact.end; ++k)
-          {
-            nodes[k] = translated(grid->node_index(nodes[k]));
-            AssertThrow(nodes[k] != numbers::invalid_unsigned_int,
-                        ExcInternalError());
-          }
-        contacts.push_back(contact);
+        all.push_back(spots[q].touches ? 1. : 0.);
+        for (unsigned int d = 0; d < dim; ++d)
+          all.push_back(tractions[q][d]);
+      }
+    ranks->sum(all.data(), all.size());
+    for (std::size_t q = 0; q < spots.size(); ++q)
+      {
+        const double *const of_spot = &all[(1 + dim) * q];
+        spots[q].touches            = of_spot[0] > 0.;
+        for (unsigned int d = 0; d < dim; ++d)
+          tractions[q][d] = of_spot[1 + d];
       }
   }
 
@@ -99,10 +89,24 @@ namespace Waker
     auto cell = grid->cell_index(x);
     for (unsigned int d = 0; d < dim; ++d)
       {
-        const int last = grid->n_nodes_per_direction()[d] - 2;
-        cell[d]        = std::clamp(cell[d], 0, last);
+        const int first = grid->offset()[d];
+        const int last  = grid->lattice_nodes_per_direction()[d] - 2;
+        cell[d]         = std::clamp(cell[d] + first, 0, last) - first;
       }
     return cell;
+  }
+
+
+  template <int dim>
+  bool
+  Walls<dim>::is_own(const Point<dim> &x) const
+  {
+    const auto cell = cell_of(x);
+    for (unsigned int d = 0; d < dim; ++d)
+      if (cell[d] < 0 ||
+          cell[d] + 1 >= static_cast<int>(grid->n_nodes_per_direction()[d]))
+        return false;
+    return ranks->owns(grid->node(cell));
   }
 
 
@@ -121,6 +125,12 @@ namespace Waker
       }
     wall_gaps.set_places(std::move(positions), std::move(normals));
     wall_gaps.find(points, gaps);
+    // The smallest of what the ranks have found.
+    for (double &gap : gaps)
+      gap = -gap;
+    ranks->largest(gaps.data(), gaps.size());
+    for (double &gap : gaps)
+      gap = -gap;
     for (std::size_t k = 0; k < one_sided.size(); ++k)
       spots[one_sided[k]].gap = gaps[k];
   }
@@ -192,9 +202,9 @@ namespace Waker
     const auto cell = cell_of(spot.position);
     double     local[dim];
     for (unsigned int d = 0; d < dim; ++d)
-      local[d] =
-        (spot.position[d] - grid->origin()[d]) * grid->inverse_cell_size() -
-        cell[d];
+      local[d] = (spot.position[d] - grid->lattice_origin()[d]) *
+                   grid->inverse_cell_size() -
+                 (cell[d] + grid->offset()[d]);
     const unsigned int base = grid->node(cell);
     unsigned int       corner_node[n_corners];
     double             N[n_corners], share = 0.;
@@ -308,10 +318,6 @@ namespace Waker
                    const std::vector<double> &,
                    const double,
                    Tractions &);
-  template void
-  Walls<2>::keep_own(const BackgroundGrid<2> &);
-  template void
-  Walls<3>::keep_own(const BackgroundGrid<3> &);
   template void
   Walls<2>::check_start() const;
   template void

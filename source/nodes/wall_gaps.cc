@@ -10,6 +10,20 @@ namespace Waker
 {
   namespace
   {
+    /// Does this rank's window know the cell's lower corner?
+    template <int dim>
+    bool
+    is_here(const BackgroundGrid<dim>                 &grid,
+            const typename BackgroundGrid<dim>::Index &cell)
+    {
+      for (unsigned int d = 0; d < dim; ++d)
+        if (cell[d] < 0 ||
+            cell[d] >= static_cast<int>(grid.n_nodes_per_direction()[d]))
+          return false;
+      return true;
+    }
+
+
     /// Call f(lower corner) for a cell and those next to it.
     template <int dim, typename Function>
     void
@@ -114,9 +128,9 @@ namespace Waker
     order.clear();
     std::vector<std::pair<unsigned int, unsigned int>> cells; // and places
     for (unsigned int q = 0; q < positions.size(); ++q)
-      if (grid->contains(positions[q]))
+      if (const auto cell = grid->cell_index(positions[q]);
+          grid->contains(positions[q]) && is_here(*grid, cell))
         {
-          const auto cell = grid->cell_index(positions[q]);
           cells.emplace_back(grid->node(cell), q);
           for_cells_around(*grid, cell, [&](const unsigned int other) {
             is_near[other] = 1;
@@ -142,10 +156,10 @@ namespace Waker
     const double furthest_behind = -behind * grid->cell_size();
     for (std::size_t p = 0; p < points.n_points(); ++p)
       {
-        const Point<dim> &x = points.position[p];
-        if (!grid->contains(x))
+        const Point<dim> &x    = points.position[p];
+        const auto        cell = grid->cell_index(x);
+        if (!grid->contains(x) || !is_here(*grid, cell))
           continue;
-        const auto cell = grid->cell_index(x);
         if (!is_near[grid->node(cell)])
           continue;
         const Tensor<1, dim> &half = points.half_size[p];

@@ -164,9 +164,8 @@ namespace Waker
         const Tractions<dim> &tractions = view.scene.tractions;
         for (std::size_t i = 0; i < tractions.size(); ++i)
           {
-            const auto resultant =
-              tractions.resultant(i, view.scene.nodes.mass);
-            const std::string name = "Traction " + tractions.view(i).name;
+            const auto        resultant = tractions.resultant(i);
+            const std::string name      = "Traction " + tractions.view(i).name;
             for (unsigned int d = 0; d < dim; ++d)
               row.add(name + " " + axis[d] + " (kN)", resultant.force[d]);
             row.add(name + (dim == 2 ? " length (m)" : " area (m^2)"),
@@ -197,7 +196,7 @@ namespace Waker
           }
         if (names.empty())
           return;
-        row.add("Largest settlement (m)", largest_settlement(state.points));
+        row.add("Largest settlement (m)", view.settlement);
         row.add("Largest settlement rate (m/s)", state.settlement_rate);
       }
     };

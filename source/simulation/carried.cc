@@ -14,13 +14,15 @@ namespace Waker
 
   template <int dim>
   std::size_t
-  Carried<dim>::move(const NodalState    &nodes,
-                     MaterialPoints<dim> &points,
-                     State<dim>          &state) const
+  Carried<dim>::move(const BackgroundGrid<dim> &grid,
+                     const std::vector<double> &mass,
+                     const NodalVector         &increment,
+                     MaterialPoints<dim>       &points,
+                     State<dim>                &state) const
   {
     if (rides)
       for (std::vector<Point<dim>> &vertices : state.surface_vertices)
-        carry_vertices(the_case->grid, nodes, vertices);
+        carry_vertices(grid, mass, increment, vertices);
     return move_domains(the_case->parameters.mapping.domains,
                         the_case->grid.cell_size(),
                         points);

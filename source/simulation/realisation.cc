@@ -2,6 +2,7 @@
 #include <waker/base/errors.h>
 #include <waker/measures/dyke_geometry.h>
 #include <waker/measures/soil_at_sides.h>
+#include <waker/measures/watched.h>
 #include <waker/simulation/realisation.h>
 
 #include <algorithm>
@@ -72,14 +73,17 @@ namespace Waker
   Realisation<dim>::look()
   {
     if (part && state->step % steps_between_balances == 0 && part->balance())
-      make_schemes();
+      {
+        scene.follow_part();
+        make_schemes();
+      }
     scene.map(state->points);      // to the nodes: 2.31, 2.32
     scene.find_surfaces(*state);   // 3.8-3.14, as far as they are asked for
     scene.set_loads(*state);       // weight, water, tractions: 2.27, 3.4
     scene.meet_walls(*state);      // what touches them
     scene.set_first_force(*state); // of the stress in situ: 2.28
     measure();                     // H, W, bodies that have moved: 5.2, 6.2
-    the_case->programmes.watch(*state); // which loads wait, or stop: 6.2.1
+    the_case->programmes.watch(body(), *state); // what waits, or stops: 6.2.1
     return decide(the_case->parameters.stop,
                   state->failure,
                   state->time,
@@ -135,10 +139,7 @@ namespace Waker
                     });
     // Stress and motion: 2.33, 2.38-2.40, or 2.35-2.37
     scheme().to_points(t, dt, nodes, points, report);
-    if (part && !state->surface_vertices.empty())
-      part->gather_increment(scene.nodes.increment);
-    report.held_domains =
-      carried.move(scene.nodes, points, *state); // domains, surfaces
+    report.held_domains    = move_carried(); // domains, surfaces
     state->settlement_rate = settlements.largest(points) / dt;
     if (part)
       end_step_on_ranks();
@@ -149,9 +150,36 @@ namespace Waker
                                 dt,
                                 state->pore_water);
     the_case->flow.exchange(nodes, report, dt, *state, part.get());
-    the_case->programmes.proceed(*state); // loads go on: 6.2.1
-    if (part && !the_case->programmes.list().empty())
-      part->point_exchange().take("mass", state->points);
+    the_case->programmes.proceed(part ? part->grid->exchange()
+                                      : the_case->grid.exchange(),
+                                 own_points(),
+                                 *state); // loads go on: 6.2.1
+  }
+
+
+  template <int dim>
+  Body<dim>
+  Realisation<dim>::body()
+  {
+    return part ? part->body() : Body<dim>(state->points);
+  }
+
+
+  template <int dim>
+  std::size_t
+  Realisation<dim>::move_carried()
+  {
+    if (!part)
+      return carried.move(the_case->grid,
+                          scene.nodes.mass,
+                          scene.nodes.increment,
+                          state->points,
+                          *state);
+    NodalVector increment;
+    if (!state->surface_vertices.empty())
+      part->spread_increment(increment);
+    return carried.move(
+      *part->load_grid, part->load_mass, increment, part->points(), *state);
   }
 
 
@@ -164,8 +192,6 @@ namespace Waker
     report.held_domains       = static_cast<std::size_t>(
       ranks.sum(static_cast<double>(report.held_domains)));
     part->moved();
-    if (!the_case->programmes.list().empty())
-      part->know_places();
   }
 
 
@@ -183,7 +209,7 @@ namespace Waker
         if (wanted.nodes)
           part->complete_nodes(scene.nodes);
       }
-    scene.surfaces.look_at_whole(state->points);
+    scene.complete(state->points, wanted.nodes || wanted.all);
   }
 
 
@@ -219,7 +245,7 @@ namespace Waker
                           scene.water_level(state->time),
                           parameters.water.stands(),
                           parameters.initial_failure.limits);
-    const Body<dim> body = part ? part->body() : Body<dim>(state->points);
+    const Body<dim> body = this->body();
     total_momentum       = momentum(body.own());
     body.sum(&total_momentum[0], dim);
     state->failure.watch_slopes(body,
@@ -227,6 +253,8 @@ namespace Waker
                                 parameters.water.inner_direction(),
                                 state->time,
                                 parameters.initial_failure.limits);
+    if (!the_case->programmes.list().empty())
+      settlement = largest_settlement(body);
     const bool slid =
       slides &&
       slides->update(state->time, body, state->points, state->sliding);
@@ -299,7 +327,7 @@ namespace Waker
   StepView<dim>
   Realisation<dim>::view() const
   {
-    return {*the_case, *state, scene, report, total_momentum};
+    return {*the_case, *state, scene, report, total_momentum, settlement};
   }
 
 

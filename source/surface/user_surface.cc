@@ -196,84 +196,111 @@ namespace Waker
   }
 
 
+  namespace
+  {
+    /// How far a vertex goes with the nodes around it (m).
+    template <int dim>
+    Tensor<1, dim>
+    motion_at(const BackgroundGrid<dim>                 &grid,
+              const typename BackgroundGrid<dim>::Index &cell,
+              const Point<dim>                          &x,
+              const std::vector<double>                 &mass,
+              const double *const                        u)
+    {
+      const auto motion_of = [&](const unsigned int node) {
+        Tensor<1, dim> motion;
+        for (unsigned int d = 0; d < dim; ++d)
+          motion[d] = u[dim * node + d];
+        return motion;
+      };
+      double         sum = 0.;
+      Tensor<1, dim> motion;
+      for (unsigned int v = 0; v < 1u << dim; ++v)
+        {
+          auto   index = cell;
+          double N     = 1.;
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              const double xi =
+                (x[d] - grid.lattice_origin()[d]) * grid.inverse_cell_size() -
+                (cell[d] + grid.offset()[d]);
+              const bool upper = (v >> d) & 1u;
+              index[d] += upper;
+              N *= upper ? xi : 1. - xi;
+            }
+          const unsigned int i = grid.node(index);
+          if (!(mass[i] > 0.))
+            continue;
+          sum += N;
+          motion += N * motion_of(i);
+        }
+      // A share so small that it is round-off says nothing.
+      if (sum > 1e-9)
+        return motion / sum;
+
+      // The closest node with mass around.
+      constexpr int      reach = carrying_reach - 1, width = 2 * reach + 2;
+      double             closest  = std::numeric_limits<double>::max();
+      unsigned int       best     = 0;
+      const unsigned int n_around = Utilities::pow(width, dim);
+      for (unsigned int k = 0; k < n_around; ++k)
+        {
+          auto index  = cell;
+          int  rest   = k;
+          bool inside = true;
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              index[d] += rest % width - reach;
+              rest /= width;
+              inside =
+                inside && index[d] >= 0 &&
+                index[d] < static_cast<int>(grid.n_nodes_per_direction()[d]);
+            }
+          if (!inside || !(mass[grid.node(index)] > 0.))
+            continue;
+          const double distance =
+            (grid.node_position(grid.node(index)) - x).norm_square();
+          if (distance < closest)
+            {
+              closest = distance;
+              best    = grid.node(index);
+            }
+        }
+      return closest < std::numeric_limits<double>::max() ? motion_of(best)
+                                                          : Tensor<1, dim>();
+    }
+  } // namespace
+
+
   template <int dim>
   void
   carry_vertices(const BackgroundGrid<dim> &grid,
-                 const NodalState          &nodes,
+                 const std::vector<double> &mass,
+                 const NodalVector         &increment,
                  std::vector<Point<dim>>   &vertices)
   {
-    const double      *u       = nodes.increment.begin();
-    constexpr unsigned n_nodes = 1u << dim;
-    for (Point<dim> &x : vertices)
+    std::vector<Tensor<1, dim>> motions(vertices.size());
+    for (std::size_t k = 0; k < vertices.size(); ++k)
       {
-        auto                    cell = grid.cell_index(x);
-        std::array<double, dim> xi;
+        // Of the whole grid, then of the window.
+        auto cell    = grid.cell_index(vertices[k]);
+        bool is_here = true;
         for (unsigned int d = 0; d < dim; ++d)
           {
-            const int last = grid.n_nodes_per_direction()[d] - 2;
-            cell[d]        = std::min(std::max(cell[d], 0), last);
-            xi[d] =
-              (x[d] - grid.origin()[d]) * grid.inverse_cell_size() - cell[d];
+            const int first = grid.offset()[d];
+            const int last  = grid.lattice_nodes_per_direction()[d] - 2;
+            const int n     = grid.n_nodes_per_direction()[d];
+            cell[d]         = std::clamp(cell[d] + first, 0, last) - first;
+            is_here         = is_here && cell[d] >= 0 && cell[d] + 1 < n;
           }
-
-        double         sum = 0.;
-        Tensor<1, dim> motion;
-        for (unsigned int v = 0; v < n_nodes; ++v)
-          {
-            auto   index = cell;
-            double N     = 1.;
-            for (unsigned int d = 0; d < dim; ++d)
-              {
-                const bool upper = (v >> d) & 1u;
-                index[d] += upper;
-                N *= upper ? xi[d] : 1. - xi[d];
-              }
-            const unsigned int i = grid.node(index);
-            if (!(nodes.mass[i] > 0.))
-              continue;
-            sum += N;
-            for (unsigned int d = 0; d < dim; ++d)
-              motion[d] += N * u[dim * i + d];
-          }
-        // A share so small that it is round-off says nothing.
-        if (sum > 1e-9)
-          {
-            x += motion / sum;
-            continue;
-          }
-
-        // The closest node with mass around.
-        constexpr int      reach = 2, width = 2 * reach + 2;
-        double             closest  = std::numeric_limits<double>::max();
-        unsigned int       best     = 0;
-        const unsigned int n_around = Utilities::pow(width, dim);
-        for (unsigned int k = 0; k < n_around; ++k)
-          {
-            auto index  = cell;
-            int  rest   = k;
-            bool inside = true;
-            for (unsigned int d = 0; d < dim; ++d)
-              {
-                index[d] += rest % width - reach;
-                rest /= width;
-                inside =
-                  inside && index[d] >= 0 &&
-                  index[d] < static_cast<int>(grid.n_nodes_per_direction()[d]);
-              }
-            if (!inside || !(nodes.mass[grid.node(index)] > 0.))
-              continue;
-            const double distance =
-              (grid.node_position(grid.node(index)) - x).norm_square();
-            if (distance < closest)
-              {
-                closest = distance;
-                best    = grid.node(index);
-              }
-          }
-        if (closest < std::numeric_limits<double>::max())
-          for (unsigned int d = 0; d < dim; ++d)
-            x[d] += u[dim * best + d];
+        if (is_here && grid.exchange().owns(grid.node(cell)))
+          motions[k] =
+            motion_at(grid, cell, vertices[k], mass, increment.begin());
       }
+    if (!motions.empty())
+      grid.exchange().sum(&motions[0][0], dim * motions.size());
+    for (std::size_t k = 0; k < vertices.size(); ++k)
+      vertices[k] += motions[k];
   }
 
 
@@ -291,10 +318,12 @@ namespace Waker
                         const BackgroundGrid<3> &);
   template void
   carry_vertices<2>(const BackgroundGrid<2> &,
-                    const NodalState &,
+                    const std::vector<double> &,
+                    const NodalVector &,
                     std::vector<Point<2>> &);
   template void
   carry_vertices<3>(const BackgroundGrid<3> &,
-                    const NodalState &,
+                    const std::vector<double> &,
+                    const NodalVector &,
                     std::vector<Point<3>> &);
 } // namespace Waker

@@ -64,8 +64,7 @@ namespace simulation_riding_load
         {
           EXPECT_EQ(realisation.look(), StopReason::none);
           const Scene<2> &scene = realisation.view().scene;
-          forces.push_back(
-            scene.tractions.resultant(0, scene.nodes.mass).force);
+          forces.push_back(scene.tractions.resultant(0).force);
           realisation.advance();
         }
       return forces;

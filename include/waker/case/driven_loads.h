@@ -17,14 +17,9 @@ namespace Waker
   template <int dim>
   struct DrivenScene
   {
-    const MaterialPoints<dim> &points; // of the whole body: their places
-    NodalVector               &force;  // of the nodes, kN
-    /// Those that are computed here, and the force of their own nodes: on one
-    /// rank the same.
-    const MaterialPoints<dim> &own_points;
-    const Weights<dim>        &own_weights;
-    NodalVector               &own_force;
-    const std::vector<double> &node_mass;
+    const MaterialPoints<dim> &points; // on several ranks those of this one
+    const Weights<dim>        &weights;
+    NodalVector               &force; // of their nodes, kN
     Tractions<dim>            &tractions;
     WaterLoad<dim>            &water;
   };
@@ -53,8 +48,7 @@ namespace Waker
   {
   public:
     /// @param programmes must outlive this object
-    DrivenLoads(const BackgroundGrid<dim> &grid,
-                const LoadProgrammes<dim> &programmes,
+    DrivenLoads(const LoadProgrammes<dim> &programmes,
                 const Parameters          &parameters);
 
     /// The loads of the programmes at a time (s) of the step that begins with

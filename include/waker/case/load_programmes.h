@@ -64,15 +64,19 @@ namespace Waker
     std::vector<LoadRecord>
     start() const;
 
-    /// Decide by the state what the next step brings. Idempotent.
+    /// Decide by the state what the next step brings. Idempotent. Collective.
+    /// @param body the points of the state
     void
-    watch(State<dim> &state) const;
+    watch(const Body<dim> &body, State<dim> &state) const;
 
     /// A step is accepted: the records go on to the time of the state, and what
     /// has become mass comes with the velocity of its point; its energy is
     /// counted as inflow.
+    /// @param points of the state; on several ranks those of this one
     void
-    proceed(State<dim> &state) const;
+    proceed(const NodeExchange  &ranks,
+            MaterialPoints<dim> &points,
+            State<dim>          &state) const;
 
     /// The last time at which any of the loads changes (s): see LastChange.
     double
@@ -93,6 +97,8 @@ namespace Waker
     void
     add_mass(const LoadProgrammeParameters &programme,
              const double                   height,
+             const NodeExchange            &ranks,
+             MaterialPoints<dim>           &points,
              State<dim>                    &state) const;
 
     std::vector<LoadProgramme> programmes;

@@ -19,10 +19,10 @@ namespace Waker
   /**
    * What one of several ranks computes of a realisation: the points in its
    * cells, and the nodes that they reach, on a window of the grid. Stresses,
-   * forces, Newton's method and the motion of the points are found there, each
-   * for its own. Surfaces, loads and measures belong to the whole body, which
-   * every rank has a copy of (State::points, Scene::nodes), right in what they
-   * need: places, and mass.
+   * forces, loads, Newton's method and the motion of the points are found
+   * there, each for its own. Of the surface each rank is told all facets. Who
+   * must see the places of all points looks at the whole body, which every rank
+   * has a copy of (State::points): know_places().
    *
    * All functions but the const ones are collective.
    */
@@ -45,20 +45,30 @@ namespace Waker
     bool
     balance();
 
-    /// Mass, velocity and acceleration of the nodes.
+    /// Mass, velocity and acceleration of the nodes; if there are loads on
+    /// surfaces, the mass of theirs too.
     /// @throws NumericalFailure, on each rank, as Weights::reinit() does on one
     void
     map();
 
-    /// Those of the whole grid.
+    /// The external force of the whole grid's nodes is known to each rank.
     void
-    gather_mass(std::vector<double> &all) const;
+    take_external_force(const NodalVector &all);
 
-    /// The external force of this part.
-    /// @param all that of the whole grid; nullptr: it is in the nodes already
-    /// @param of_points by what own points carry, on the own window; changed
+    /// Loads come to the weight that the nodes' external force has already.
+    /// @param of_points by what own points carry, on the own window; changed.
+    ///        And load_force, by what acts on surfaces.
     void
-    take_loads(const NodalVector *all, NodalVector &of_points);
+    add_loads(NodalVector &of_points);
+
+    /// From the own window to that of the loads: the increments of the step.
+    void
+    spread_increment(NodalVector &increment) const;
+
+    /// Values of nodes of the loads' window, of which each rank has found a
+    /// part: their sum, for the whole grid.
+    void
+    gather_loads(const NodalVector &values, NodalVector &all) const;
 
     /// The points have moved: they go where they belong.
     void
@@ -79,10 +89,6 @@ namespace Waker
                          return know_places();
                        });
     }
-
-    /// How far the nodes of the whole grid have moved in the step.
-    void
-    gather_increment(NodalVector &all) const;
 
     /// Points leave the body.
     /// @param own_list their places in the own points, ascending
@@ -115,6 +121,7 @@ namespace Waker
       NodeExchange::Traffic sum = sent_before;
       sum += exchange.traffic();
       sum += grid->exchange().traffic();
+      sum += load_grid->exchange().traffic();
       return sum;
     }
 
@@ -129,10 +136,21 @@ namespace Waker
     std::unique_ptr<const Fixities<dim>>       fixities;
     std::unique_ptr<Weights<dim>>              weights;
     std::unique_ptr<NodalState>                nodes;
+    /// A window that reaches as far as a load may go to find support.
+    std::shared_ptr<const BackgroundGrid<dim>> load_grid;
+    std::vector<double>                        load_mass;  // Mg
+    NodalVector                                load_force; // kN
 
   private:
     void
     make_window();
+
+    /// Values of own nodes, `n_components` each, go from one window to another
+    /// and on to those that reach them there.
+    void
+    spread(const double      *mine,
+           const unsigned int n_components,
+           double            *there) const;
 
     const Case<dim>                *the_case;
     MaterialPoints<dim>            *whole;
@@ -141,8 +159,9 @@ namespace Waker
     MPI_Comm                        communicator;
     std::unique_ptr<Partition<dim>> partition;
     PointExchange<dim>              exchange;
-    /// Arrays that the whole body must have after each step, beside places.
-    std::vector<std::string> needed;
+    bool                            loads_surfaces;
+    /// Numbers of the own nodes, in both windows.
+    std::vector<unsigned int> own_nodes, own_load_nodes;
   };
 
 

@@ -6,7 +6,6 @@
 #include <waker/case/case.h>
 #include <waker/case/driven_loads.h>
 #include <waker/case/state.h>
-#include <waker/loads/facet_load.h>
 #include <waker/loads/tractions.h>
 #include <waker/loads/water_load.h>
 #include <waker/mapping/weights.h>
@@ -31,10 +30,13 @@ namespace Waker
   class Scene
   {
   public:
-    /// @param part on several ranks that of this one: nodes and weights are
-    ///        its own, and of the scene's nodes only mass and external force
-    ///        are known
+    /// @param part on several ranks that of this one, in which nodes, weights
+    ///        and loads are: complete() makes the scene's own ones known
     explicit Scene(const Case<dim> &the_case, RankPart<dim> *part = nullptr);
+
+    /// The part has got new windows: loads act on those.
+    void
+    follow_part();
 
     // The moment of a state, in this order.
 
@@ -121,6 +123,10 @@ namespace Waker
     NodalState &
     step_nodes();
 
+    /// On several ranks: what files show of the whole body, and of all nodes.
+    void
+    complete(State<dim> &state);
+
     /// Level of the water at a time (m).
     double
     water_level(const double time) const;
@@ -142,18 +148,8 @@ namespace Waker
                  const double                   time,
                  const std::vector<LoadRecord> &records);
 
-    /// Are there loads that act where points are, and not by their mass?
-    bool
-    has_loads_on_places() const;
-
-    /// On several ranks: do loads act on nodes of the whole grid? Without water
-    /// and others there is only weight.
-    bool
-    looks_at_all() const;
-
     const Case<dim> *the_case;
-    RankPart<dim>   *part; // none on one rank
-    FacetLoad<dim>   point_loads;
+    RankPart<dim>   *part;      // none on one rank
     NodalVector      of_points; // forces, kN: work space, on several ranks
     DrivenLoads<dim> driven;
   };

@@ -115,6 +115,13 @@ namespace Waker
       return n_nodes_1d;
     }
 
+    /// Those of the whole grid.
+    const std::array<unsigned int, dim> &
+    lattice_nodes_per_direction() const
+    {
+      return n_whole_1d;
+    }
+
     unsigned int
     n_nodes() const
     {
@@ -177,7 +184,8 @@ namespace Waker
     Index
     cell_index(const Point<dim> &x) const;
 
-    /// Is x, with `clearance` (m) on all sides, inside grid and margin?
+    /// Is x, with `clearance` (m) on all sides, inside grid and margin? In a
+    /// window: inside the whole grid and its margin.
     bool
     contains(const Point<dim> &x, const double clearance = 0.) const;
 
@@ -221,6 +229,7 @@ namespace Waker
     double                        h;
     double                        inverse_h;
     std::array<unsigned int, dim> n_nodes_1d;
+    std::array<unsigned int, dim> n_whole_1d;
     std::array<unsigned int, dim> strides;
     unsigned int                  n_nodes_total;
     unsigned int                  n_cells_total;

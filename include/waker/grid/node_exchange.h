@@ -111,9 +111,16 @@ namespace Waker
       return number;
     }
 
-    /// The largest of a number of each rank.
+    /// The largest of the numbers of each rank.
+    void
+    largest(double *numbers, const unsigned int n) const;
+
     double
-    largest(const double number) const;
+    largest(double number) const
+    {
+      largest(&number, 1);
+      return number;
+    }
 
     /// What all ranks have, rank by rank, as bytes.
     template <typename T>

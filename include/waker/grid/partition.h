@@ -46,10 +46,19 @@ namespace Waker
     unsigned int
     owner(const Point<dim> &x) const;
 
-    /// This rank's window: its own nodes, and those that the support domains of
-    /// points in its cells may reach.
+    /// How far a window reaches beyond a rank's own nodes.
+    struct Reach
+    {
+      int below, above;
+    };
+
+    /// A support domain reaches a node below its point's cell and one above.
+    static constexpr Reach of_points = {1, 2};
+
+    /// This rank's window: its own nodes, and those around them; by default all
+    /// that the support domains of points in its cells may reach.
     std::unique_ptr<const BackgroundGrid<dim>>
-    make_window() const;
+    make_window(const Reach reach = of_points) const;
 
     /**
      * The values of all nodes, from their owners.

@@ -2,8 +2,7 @@
 #ifndef waker_loads_facet_load_h
 #define waker_loads_facet_load_h
 
-#include <waker/grid/background_grid.h>
-#include <waker/loads/nodal_support.h>
+#include <waker/loads/load_distribution.h>
 #include <waker/nodes/nodal_vector.h>
 #include <waker/surface/shape/facet.h>
 
@@ -25,8 +24,11 @@ namespace Waker
    * A node that a support domain has hardly touched would be thrown away by its
    * share: the share of a node with less mass than a minimum goes to supported
    * nodes nearby, with weights that keep resultant and moment
-   * (loads/nodal_support.h). A load that fits the internal force by itself,
-   * as on the contour of the support domains, needs no minimum.
+   * (LoadDistribution). A load that fits the internal force by itself, as on
+   * the contour of the support domains, needs no minimum.
+   *
+   * On several ranks each is given all facets, and collects what they do in its
+   * window: at its own nodes that is all of it.
    *
    * Work space: made once, used in every step.
    */
@@ -34,18 +36,7 @@ namespace Waker
   class FacetLoad
   {
   public:
-    explicit FacetLoad(const BackgroundGrid<dim> &grid);
-
-    /**
-     * On the nodes of any lattice of cubic cells.
-     *
-     * @param origin position of node 0 (m)
-     * @param cell_size (m)
-     * @param n_nodes in each direction; x runs fastest
-     */
-    FacetLoad(const Point<dim>                    &origin,
-              const double                         cell_size,
-              const std::array<unsigned int, dim> &n_nodes);
+    explicit FacetLoad(const LoadNodes<dim> &nodes);
 
     /// Traction (kPa) on a facet at a place.
     using Traction =
@@ -71,8 +62,11 @@ namespace Waker
     void
     add(const Point<dim> &x, const Tensor<1, dim> &force);
 
+    /// Plane of nodes, see LoadDistribution.
+    using Plane = typename LoadDistribution<dim>::Plane;
+
     /**
-     * Add what was collected to `force` (kN).
+     * Add what was collected to `force` (kN): see LoadDistribution::add().
      *
      * @param node_mass of each node (Mg)
      * @param minimum_mass of a node that carries load (Mg); 0: all do
@@ -82,18 +76,8 @@ namespace Waker
     void
     distribute(const std::vector<double> &node_mass,
                const double               minimum_mass,
-               NodalVector               &force);
-
-    /**
-     * The same on plain arrays: add `factor` times component d on node i to
-     * force[stride * i + d].
-     */
-    void
-    distribute(const double      *node_mass,
-               const double       minimum_mass,
-               const double       factor,
-               const unsigned int stride,
-               double            *force);
+               NodalVector               &force,
+               const std::vector<Plane>  &planes = {Plane()});
 
     /// The collected forces (kN), dim per node, before any redistribution.
     const std::vector<double> &
@@ -132,7 +116,7 @@ namespace Waker
                       const Index       &cell,
                       const Force       &force_at);
 
-    // Add N_i f, for u = x - node 0 of the cell, in cells.
+    // Add N_i f, for u = x - node 0 of the cell, in cells; the cell is here.
     void
     add_in_cell(const Index          &cell,
                 const Point<dim>     &u,
@@ -142,16 +126,16 @@ namespace Waker
     Index
     cell_of(const Point<dim> &x) const;
 
-    Point<dim>                    origin;
-    double                        h;
-    double                        inverse_h;
-    std::array<unsigned int, dim> n_nodes;
+    // May a facet reach the nodes that are here?
+    bool
+    may_meet(const Facet<dim> &facet) const;
 
-    std::vector<double>           forces;
-    std::vector<unsigned char>    is_loaded;
-    std::vector<unsigned int>     loaded_nodes;
-    std::vector<double>           cuts;
-    std::vector<SupportNode<dim>> support;
+    LoadNodes<dim>             lattice;
+    LoadDistribution<dim>      distribution;
+    std::vector<double>        forces;
+    std::vector<unsigned char> is_loaded;
+    std::vector<unsigned int>  loaded_nodes;
+    std::vector<double>        cuts;
   };
 } // namespace Waker
 

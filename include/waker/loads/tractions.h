@@ -11,7 +11,9 @@
 #include <waker/surface/surface_finder.h>
 #include <waker/surface/user_surface.h>
 
+#include <array>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -61,10 +63,13 @@ namespace Waker
   class Tractions
   {
   public:
+    /// @param grid the whole one, in which points are sought
+    /// @param window of which the nodes are loaded: on one rank the grid
     /// @param surfaces see read_surfaces(); must outlive this object
     /// @param riding one each, without pieces for those that do not ride, or
     ///        not yet: see ride(); must outlive this object
     Tractions(const BackgroundGrid<dim>             &grid,
+              const BackgroundGrid<dim>             &window,
               const std::vector<TractionParameters> &parameters,
               const std::vector<UserSurface<dim>>   &surfaces,
               const std::vector<RidingLoad<dim>>    &riding);
@@ -81,6 +86,10 @@ namespace Waker
     {
       items[i].factor = factor;
     }
+
+    /// Does any of them look at the places of all points?
+    bool
+    look_at_points() const;
 
     /// Does any of them change in time while nothing moves?
     bool
@@ -127,7 +136,8 @@ namespace Waker
     /**
      * Add the nodal forces at time t to `force` (kN).
      *
-     * @param node_mass of each node (Mg)
+     * @param points all of them, if these look at points
+     * @param node_mass of each node of the window (Mg)
      * @param full_node_mass of a node inside the body (Mg)
      */
     void
@@ -143,13 +153,19 @@ namespace Waker
       std::string name;
       /// Where it acts; of point loads, the surface that they stand for.
       const Facets<dim> *facets;
-      const NodalVector *nodal_force; // kN
+      const NodalVector *nodal_force; // of the whole grid, kN
       /// Loads of the points (kN); empty unless it is a method of points.
       const std::vector<Tensor<1, dim>> *point_loads;
     };
 
     View
     view(const std::size_t i) const;
+
+    /// On several ranks, for what views show.
+    /// @param gather from the window to the whole grid (RankPart)
+    void
+    complete(const std::function<void(const NodalVector &window,
+                                      NodalVector       &all)> &gather);
 
     /// Traction (kPa) at x on facet k of the view.
     Tensor<1, dim>
@@ -162,8 +178,9 @@ namespace Waker
       double         measure; // length or area of the facets (m^(dim-1))
     };
 
+    /// At the time of the last add().
     Resultant
-    resultant(const std::size_t i, const std::vector<double> &node_mass) const;
+    resultant(const std::size_t i) const;
 
     /// Note what befell the tractions up to t; at the time of the last add().
     /// @param records one each; made by the first call
@@ -187,11 +204,13 @@ namespace Waker
       Facets<dim>                             loaded;      // at the time
       std::vector<Tensor<1, dim>>             point_loads; // kN
       NodalVector                             force;       // kN
+      NodalVector                             whole_force; // see complete()
       /// Of the facets, if it rides.
       std::vector<typename RidingLoad<dim>::Placed> placed;
       /// Sizes of the nodal forces, and of those on nodes without mass (kN).
-      double total = 0., lost = 0.;
-      double factor = 1.; // of a load programme
+      double                  total = 0., lost = 0.;
+      std::array<double, dim> on_mass = {}; // of those on nodes with mass (kN)
+      double                  factor  = 1.; // of a load programme
 
       bool
       rides() const
@@ -216,7 +235,12 @@ namespace Waker
     void
     add_facets(const Item &item);
 
+    /// What becomes of the loads that were collected, and of the item's force.
+    void
+    add_up(const std::vector<double> &node_mass, Item &item) const;
+
     const BackgroundGrid<dim> *grid;
+    const NodeExchange        *ranks; // of the window
     std::deque<Item>           items; // they do not move
     FacetLoad<dim>             load;
     PointShares<dim>           shares;

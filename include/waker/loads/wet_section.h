@@ -54,10 +54,11 @@ namespace Waker
     }
 
   private:
-    const BackgroundGrid<dim> *grid;
-    bool                       water_left;
-    Facets<2>                  wetted;
-    FacetLoad<2>               load; // kN/m
+    const BackgroundGrid<dim>       *grid;
+    bool                             water_left;
+    Facets<2>                        wetted;
+    FacetLoad<2>                     load; // kN/m
+    std::vector<FacetLoad<2>::Plane> planes;
   };
 } // namespace Waker
 

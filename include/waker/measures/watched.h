@@ -3,7 +3,7 @@
 #define waker_measures_watched_h
 
 #include <waker/measures/failure_record.h>
-#include <waker/particles/material_points.h>
+#include <waker/particles/body.h>
 
 #include <vector>
 
@@ -66,20 +66,21 @@ namespace Waker
   /// 0.
   template <int dim>
   double
-  largest_settlement(const MaterialPoints<dim> &points);
+  largest_settlement(const Body<dim> &body);
 
 
   /**
-   * The value of a quantity; NaN if there is none.
+   * The value of a quantity; NaN if there is none. Collective.
    *
    * @param failure with heights and widths at the start and now
    * @param settlement_rate largest of any point in the last step (m/s)
-   * @param load share of each point in a load (any unit); empty if not known
+   * @param load share of each own point of the body in a load (any unit); empty
+   *        if not known
    */
   template <int dim>
   double
   watched_value(const Watched              watched,
-                const MaterialPoints<dim> &points,
+                const Body<dim>           &body,
                 const FailureRecord       &failure,
                 const double               settlement_rate,
                 const std::vector<double> &load);

@@ -64,6 +64,8 @@ namespace Waker
     using Tractions = std::vector<Tensor<1, dim>>;
 
     /**
+     * @param grid on several ranks the window of this one, which deals with the
+     *        spots in its own cells
      * @param modulus the stiffest K + 4G/3 (kPa)
      * @param full_node_mass mass of a node inside the body (Mg)
      * @throws UserError "Walls/<name>/..."
@@ -86,8 +88,8 @@ namespace Waker
     }
 
     /// Where the walls stand at time t (s) and which of their spots touch soil.
-    /// @param points of which node_mass is
-    /// @param tractions of the spots; those without contact are set to zero.
+    /// @param points of which node_mass is; on several ranks those of this one
+    /// @param tractions of all spots; those without contact are set to zero.
     ///        accept() writes those at the end of a step here: they must live
     ///        until then.
     void
@@ -95,11 +97,6 @@ namespace Waker
            const std::vector<double> &node_mass,
            const double               t,
            Tractions                 &tractions);
-
-    /// On several ranks, after reinit(), which finds the same on each: keep
-    /// those contacts whose cells are this rank's, on the nodes of its window.
-    void
-    keep_own(const BackgroundGrid<dim> &window);
 
     /// As the soil lies at the start.
     /// @throws UserError "Walls/<name>/Line" if it lies behind a frictional
@@ -234,6 +231,14 @@ namespace Waker
     /// The cell of the grid that a spot is in, or next to.
     typename BackgroundGrid<dim>::Index
     cell_of(const Point<dim> &x) const;
+
+    /// Is that one of this rank's?
+    bool
+    is_own(const Point<dim> &x) const;
+
+    /// What each rank has found of its own spots is told to all.
+    void
+    share_contacts(Tractions &tractions);
 
     /// The gaps of the frictional walls' spots.
     void

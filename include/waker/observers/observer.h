@@ -26,7 +26,8 @@ namespace Waker
     const State<dim>      &state;
     const Scene<dim>      &scene;
     const StepReport<dim> &report;
-    const Tensor<1, dim>  &momentum; // of the body, kN s
+    const Tensor<1, dim>  &momentum;   // of the body, kN s
+    const double           settlement; // largest of a point, m; of programmes
   };
 
   /// Where an observer puts its numbers: one column each, the same every step.

@@ -17,13 +17,16 @@ namespace Waker
     explicit Carried(const Case<dim> &the_case);
 
     /// After a step, of which the points have taken the stress.
-    /// @param nodes of the whole grid
+    /// @param grid on several ranks the window of those who load nodes
+    /// @param mass, increment of its nodes
     /// @param points whose domains move: on several ranks those of this one
     /// @return number of domains that were held at the length of a cell
     std::size_t
-    move(const NodalState    &nodes,
-         MaterialPoints<dim> &points,
-         State<dim>          &state) const;
+    move(const BackgroundGrid<dim> &grid,
+         const std::vector<double> &mass,
+         const NodalVector         &increment,
+         MaterialPoints<dim>       &points,
+         State<dim>                &state) const;
 
   private:
     const Case<dim> *the_case;

@@ -130,6 +130,14 @@ namespace Waker
     void
     make_schemes();
 
+    Body<dim>
+    body();
+
+    /// Domains, and what else the material carries.
+    /// @return Carried::move()
+    std::size_t
+    move_carried();
+
     /// What the ranks tell each other after a step.
     void
     end_step_on_ranks();
@@ -152,9 +160,10 @@ namespace Waker
     std::optional<SlidingMassFinder<dim>> slides;
     StepControl<dim>                      control;
     std::unique_ptr<TimeScheme<dim>>      scheme_in_motion;
-    std::unique_ptr<TimeScheme<dim>>      scheme_at_rest; // or none
-    StepReport<dim>                       report;         // of the last step
-    Tensor<1, dim>                        total_momentum; // kN s
+    std::unique_ptr<TimeScheme<dim>>      scheme_at_rest;  // or none
+    StepReport<dim>                       report;          // of the last step
+    Tensor<1, dim>                        total_momentum;  // kN s
+    double                                settlement = 0.; // largest, m
   };
 } // namespace Waker
 

@@ -3,7 +3,7 @@
 #define waker_surface_user_surface_h
 
 #include <waker/grid/background_grid.h>
-#include <waker/nodes/nodal_state.h>
+#include <waker/nodes/nodal_vector.h>
 #include <waker/surface/shape/facet.h>
 
 #include <array>
@@ -61,15 +61,21 @@ namespace Waker
    * Carry vertices with the material: x += sum_i N_i du_i / sum_i N_i over the
    * nodes with mass of the cell, with linear functions N_i. A vertex in a cell
    * without material follows the closest node with mass within two cells, and
-   * rests if there is none.
+   * rests if there is none. On several ranks, which all have all vertices, each
+   * carries those in its own cells, and tells the others.
    *
-   * @param nodes with the increments of the step just done
+   * @param grid or a window that reaches carrying_reach nodes beyond its own
+   * @param mass of its nodes (Mg)
+   * @param increment of its nodes in the step just done (m)
    */
   template <int dim>
   void
   carry_vertices(const BackgroundGrid<dim> &grid,
-                 const NodalState          &nodes,
+                 const std::vector<double> &mass,
+                 const NodalVector         &increment,
                  std::vector<Point<dim>>   &vertices);
+
+  constexpr int carrying_reach = 3;
 } // namespace Waker
 
 #endif
