@@ -3,7 +3,6 @@
 #include <waker/measures/watched.h>
 #include <waker/observers/observer.h>
 
-#include <numeric>
 #include <string>
 
 namespace Waker
@@ -92,7 +91,7 @@ namespace Waker
       void
       observe(const StepView<dim> &view, Row &row) override
       {
-        const Tensor<1, dim> &p = view.momentum;
+        const Tensor<1, dim> &p = view.totals.momentum;
         for (unsigned int d = 0; d < dim; ++d)
           row.add(names[0][d], p[d]);
         // Of a step: there has been none at the start.
@@ -196,7 +195,7 @@ namespace Waker
           }
         if (names.empty())
           return;
-        row.add("Largest settlement (m)", view.settlement);
+        row.add("Largest settlement (m)", view.totals.settlement);
         row.add("Largest settlement rate (m/s)", state.settlement_rate);
       }
     };
@@ -225,16 +224,14 @@ namespace Waker
         if (!view.the_case.flow.is_used())
           return;
         const FlowAccount<dim> &flow = view.state.flow;
-        const double mass = std::accumulate(view.state.points.mass.begin(),
-                                            view.state.points.mass.end(),
-                                            0.);
+        const double            mass = view.totals.mass;
         row.add("Points", view.state.points.n_points());
         row.add("Mass (Mg)", mass);
         row.add("Mass in (Mg)", flow.mass_in);
         row.add("Mass out (Mg)", flow.mass_out);
         row.add("Mass remainder (Mg)",
                 mass - flow.mass_start - flow.mass_in + flow.mass_out);
-        const Tensor<1, dim> &p         = view.momentum;
+        const Tensor<1, dim> &p         = view.totals.momentum;
         const Tensor<1, dim>  remainder = p - flow.momentum_start -
                                          flow.impulse - flow.momentum_in +
                                          flow.momentum_out;

@@ -6,7 +6,9 @@
 #include <waker/simulation/realisation.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <numeric>
 #include <string>
 
 namespace Waker
@@ -245,16 +247,24 @@ namespace Waker
                           scene.water_level(state->time),
                           parameters.water.stands(),
                           parameters.initial_failure.limits);
-    const Body<dim> body = this->body();
-    total_momentum       = momentum(body.own());
-    body.sum(&total_momentum[0], dim);
+    const Body<dim>             body     = this->body();
+    const std::vector<double>  &mass     = body.own().mass;
+    const Tensor<1, dim>        momentum = Waker::momentum(body.own());
+    std::array<double, 1 + dim> sums;
+    sums[0] = std::accumulate(mass.begin(), mass.end(), 0.);
+    for (unsigned int d = 0; d < dim; ++d)
+      sums[1 + d] = momentum[d];
+    body.sum(sums.data(), sums.size());
+    totals.mass = sums[0];
+    for (unsigned int d = 0; d < dim; ++d)
+      totals.momentum[d] = sums[1 + d];
     state->failure.watch_slopes(body,
                                 the_case->grid,
                                 parameters.water.inner_direction(),
                                 state->time,
                                 parameters.initial_failure.limits);
     if (!the_case->programmes.list().empty())
-      settlement = largest_settlement(body);
+      totals.settlement = largest_settlement(body);
     const bool slid =
       slides &&
       slides->update(state->time, body, state->points, state->sliding);
@@ -327,7 +337,7 @@ namespace Waker
   StepView<dim>
   Realisation<dim>::view() const
   {
-    return {*the_case, *state, scene, report, total_momentum, settlement};
+    return {*the_case, *state, scene, report, totals};
   }
 
 

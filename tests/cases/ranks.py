@@ -68,6 +68,14 @@ cases = {
                         ["Grid/Cell size=0.5", "Random fields/Names=",
                          "Time stepping/Ramp duration=0",
                          "Gravity/Initial share=0.9"], 0.01, (3,)),
+    "tractions": ("chapter3/inclined_bar_3d.prm", [], 0.01, (3,)),
+    "detected": ("chapter3/inclined_bar_detected.prm", [], 0.01, (3,)),
+    "point load": ("chapter3/cantilever.prm", ["Newton/Tolerance=1e-11"], 0.02,
+                   (3,)),
+    "rising water": ("chapter3/rising_water.prm", [], 0.5, (3,)),
+    "foundation": ("chapter6/foundation_2d.prm",
+                   ["Load programmes/foundation/Mass=with mass",
+                    "Load programmes/foundation/Start time=0"], 0.01, (3,)),
     # Dealt out anew twice.
     "flying block": ("verification/flying_block.prm", [], 0.008, (4,), 60),
     # Nothing holds it along x: the long step finds no balance.

@@ -13,6 +13,17 @@
 
 namespace Waker
 {
+  /// What is summed up, or the largest, over all points: on several ranks all
+  /// of them know it.
+  template <int dim>
+  struct BodyTotals
+  {
+    double         mass = 0.;       // Mg
+    Tensor<1, dim> momentum;        // kN s
+    double         settlement = 0.; // largest, m, if load programmes watch it
+  };
+
+
   /**
    * A moment of a realisation, as observers see it: all of it, and nothing that
    * they could change. The scene is that of the state: its nodes hold the
@@ -26,8 +37,7 @@ namespace Waker
     const State<dim>      &state;
     const Scene<dim>      &scene;
     const StepReport<dim> &report;
-    const Tensor<1, dim>  &momentum;   // of the body, kN s
-    const double           settlement; // largest of a point, m; of programmes
+    const BodyTotals<dim> &totals;
   };
 
   /// Where an observer puts its numbers: one column each, the same every step.

@@ -160,10 +160,9 @@ namespace Waker
     std::optional<SlidingMassFinder<dim>> slides;
     StepControl<dim>                      control;
     std::unique_ptr<TimeScheme<dim>>      scheme_in_motion;
-    std::unique_ptr<TimeScheme<dim>>      scheme_at_rest;  // or none
-    StepReport<dim>                       report;          // of the last step
-    Tensor<1, dim>                        total_momentum;  // kN s
-    double                                settlement = 0.; // largest, m
+    std::unique_ptr<TimeScheme<dim>>      scheme_at_rest; // or none
+    StepReport<dim>                       report;         // of the last step
+    BodyTotals<dim>                       totals;
   };
 } // namespace Waker
 
