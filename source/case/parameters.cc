@@ -263,6 +263,29 @@ namespace Waker
 
 
   void
+  RankParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Largest imbalance",
+                      largest_imbalance,
+                      "One realisation on several ranks: material points of "
+                      "the rank that has most, over the mean of all ranks (-), "
+                      "at least 1. Above it the points are dealt out anew, "
+                      "which is looked at every 20 steps.",
+                      Patterns::Double(1.));
+  }
+
+
+  void
+  RankParameters::check() const
+  {
+    if (!(largest_imbalance >= 1.) || !std::isfinite(largest_imbalance))
+      throw UserError("Ranks/Largest imbalance",
+                      "is " + number(largest_imbalance),
+                      "a finite number, at least 1");
+  }
+
+
+  void
   Parameters::check() const
   {
     if (dimension != 2 && dimension != 3)
@@ -339,6 +362,7 @@ namespace Waker
     sliding.check();
     stop.check();
     strength_reduction.check();
+    ranks.check();
     output.check();
     check_initial_stress(*this);
   }

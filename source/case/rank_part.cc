@@ -11,10 +11,6 @@ namespace Waker
 {
   namespace
   {
-    /// The points are dealt out anew when a rank has so many times the mean.
-    constexpr double largest_imbalance = 1.1;
-
-
     /// A forest whose cells cost what the points in them do.
     template <int dim>
     std::unique_ptr<Partition<dim>>
@@ -93,7 +89,7 @@ namespace Waker
   bool
   RankPart<dim>::balance()
   {
-    if (exchange.imbalance() <= largest_imbalance)
+    if (exchange.imbalance() <= the_case->parameters.ranks.largest_imbalance)
       return false;
     partition->balance(exchange.own().position);
     exchange.send_home(*partition);

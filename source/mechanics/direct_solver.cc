@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <deal.II/base/mpi.h>
 
 #include <waker/base/errors.h>
 #include <waker/mechanics/direct_solver.h>
@@ -95,12 +94,9 @@ namespace Waker
     std::vector<std::uint64_t> mine;
     for (const unsigned int dof : dofs)
       mine.push_back(f.key(f.index[dof / dim], dof % dim));
-    const auto keys = Utilities::MPI::all_gather(ranks.communicator(), mine);
-    const auto scales =
-      Utilities::MPI::all_gather(ranks.communicator(), f.scale);
-    f.keys.clear();
-    for (const auto &part : keys)
-      f.keys.insert(f.keys.end(), part.begin(), part.end());
+    const std::vector<std::uint64_t> keys   = ranks.all_gather(mine);
+    const std::vector<double>        scales = ranks.all_gather(f.scale);
+    f.keys                                  = keys;
     std::sort(f.keys.begin(), f.keys.end());
     const auto number = [&](const std::uint64_t key) {
       return static_cast<int>(
@@ -111,12 +107,11 @@ namespace Waker
       f.own.push_back(number(key));
     f.all.clear();
     f.scale.resize(f.keys.size());
-    for (std::size_t r = 0; r < keys.size(); ++r)
-      for (std::size_t e = 0; e < keys[r].size(); ++e)
-        {
-          f.all.push_back(number(keys[r][e]));
-          f.scale[f.all.back()] = scales[r][e];
-        }
+    for (std::size_t e = 0; e < keys.size(); ++e)
+      {
+        f.all.push_back(number(keys[e]));
+        f.scale[f.all.back()] = scales[e];
+      }
   }
 
 
@@ -188,19 +183,7 @@ namespace Waker
         }
     if (ranks.is_one_rank())
       return;
-    std::vector<double> mine; // row, column, value
-    for (const auto &entry : f.entries)
-      for (const double number : {static_cast<double>(entry.row()),
-                                  static_cast<double>(entry.col()),
-                                  entry.value()})
-        mine.push_back(number);
-    f.entries.clear();
-    for (const std::vector<double> &part :
-         Utilities::MPI::all_gather(ranks.communicator(), mine))
-      for (std::size_t k = 0; k < part.size(); k += 3)
-        f.entries.emplace_back(static_cast<int>(part[k]),
-                               static_cast<int>(part[k + 1]),
-                               part[k + 2]);
+    f.entries = ranks.all_gather(f.entries);
   }
 
 
@@ -268,14 +251,7 @@ namespace Waker
     std::vector<double> values; // of all ranks, rank by rank
     for (unsigned int e = 0; e < dofs.size(); ++e)
       values.push_back(f.scale[f.own[e]] * b.begin()[dofs[e]]);
-    if (!grid->exchange().is_one_rank())
-      {
-        const auto parts =
-          Utilities::MPI::all_gather(grid->exchange().communicator(), values);
-        values.clear();
-        for (const auto &part : parts)
-          values.insert(values.end(), part.begin(), part.end());
-      }
+    values = grid->exchange().all_gather(values);
     f.rhs.resize(f.scale.size());
     for (std::size_t k = 0; k < values.size(); ++k)
       f.rhs[f.all[k]] = values[k];

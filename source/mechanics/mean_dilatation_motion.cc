@@ -18,6 +18,7 @@ namespace Waker
     void
     scatter_stress(const CentreStencil<dim>    &stencil,
                    const PointWeights<dim>     &w,
+                   const CentreWeights<dim>    &centre,
                    const SymmetricTensor<2, 3> &stress,
                    const double                 share,
                    double                      *force)
@@ -27,7 +28,7 @@ namespace Waker
       for (unsigned int i = 0; i < dim; ++i)
         for (unsigned int j = 0; j < dim; ++j)
           P[i][j] = stress[i][j] - (i == j ? p : 0.);
-      stencil.scatter(w, {w, stencil.cell_size()}, P, p, force);
+      stencil.scatter(w, centre, P, p, force);
     }
   } // namespace
 
@@ -45,7 +46,8 @@ namespace Waker
       {
         const PointWeights<dim> &w = weights[p];
         double                   H[dim][dim];
-        double d = stencil.gradient(w, {w, stencil.cell_size()}, increment, H);
+        const CentreWeights<dim> centre(shares.first_shares(p));
+        double                   d = stencil.gradient(w, centre, increment, H);
         for (unsigned int i = 0; i < dim; ++i)
           d -= H[i][i];
         d *= shares[p] / 3.;
@@ -92,6 +94,7 @@ namespace Waker
         const std::size_t p = range.begin + l;
         scatter_stress(stencil,
                        weights[p],
+                       CentreWeights<dim>(shares.first_shares(p)),
                        points.volume[p] * block_stress(block.stress, l),
                        shares[p],
                        force);
@@ -112,6 +115,7 @@ namespace Waker
     for (std::size_t p = 0; p < points.n_points(); ++p)
       scatter_stress(stencil,
                      weights[p],
+                     CentreWeights<dim>(shares.first_shares(p)),
                      points.volume[p] * points.stress[p],
                      shares[p],
                      force.begin());

@@ -10,6 +10,7 @@ namespace Waker
   {
     static const std::vector<std::string> sections = {"Output",
                                                       "Strength reduction",
+                                                      "Ranks",
                                                       "Snapshots",
                                                       "Slides",
                                                       "Histograms",

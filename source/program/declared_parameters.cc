@@ -225,6 +225,7 @@ namespace Waker
     declare_section(prm, "Sliding masses", parameters.sliding);
     declare_section(prm, "Stop rules", parameters.stop);
     declare_section(prm, "Strength reduction", parameters.strength_reduction);
+    declare_section(prm, "Ranks", parameters.ranks);
     declare_named(prm,
                   "Random fields",
                   "Names",

@@ -111,13 +111,27 @@ namespace mapping_point_groups
       groups.reinit(body.weights);
       const std::vector<Number> u(body.u.begin(), body.u.end());
 
+      // Any shares will do.
+      Lattice::Random                    number(4);
+      std::vector<std::array<double, 3>> first(body.points.n_points());
+      std::vector<std::array<Lanes, 3>>  all_first(groups.size());
+      for (std::size_t p = 0; p < first.size(); ++p)
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            first[p][d] = number(0., 1.);
+            all_first[groups.group_of(p)][d][groups.lane_of(p)] = first[p][d];
+          }
+      const auto centre_of = [&](const std::size_t g) {
+        return GroupCentreWeights<Lanes>(all_first[g]);
+      };
+
       // Gradients and mean dilatations.
       const double tolerance = 10. * epsilon<Lanes> / h;
       double       H[3][3];
       for (std::size_t p = 0; p < body.points.n_points(); ++p)
         {
           const auto            &w = body.weights[p];
-          const CentreWeights<3> centre(w, h);
+          const CentreWeights<3> centre(first[p]);
           const double mean  = one.gradient(w, centre, body.u.data(), H);
           const auto  &group = groups[groups.group_of(p)];
           const auto   lane  = groups.lane_of(p);
@@ -125,7 +139,9 @@ namespace mapping_point_groups
           stencil.gradient(group, u.data(), all);
           for (unsigned int a = 0; a < 9; ++a)
             EXPECT_NEAR(all[a][lane], H[a / 3][a % 3], tolerance);
-          EXPECT_NEAR(stencil.mean_dilatation(group, u.data())[lane],
+          EXPECT_NEAR(stencil.mean_dilatation(group,
+                                              centre_of(groups.group_of(p)),
+                                              u.data())[lane],
                       mean,
                       tolerance);
         }
@@ -144,7 +160,7 @@ namespace mapping_point_groups
           std::vector<double> expected(u.size());
           for (std::size_t p = 0; p < P.size(); ++p)
             one.scatter(body.weights[p],
-                        {body.weights[p], h},
+                        CentreWeights<3>(first[p]),
                         P[p],
                         share * q[p],
                         expected.data());
@@ -163,7 +179,8 @@ namespace mapping_point_groups
               if (share == 0.)
                 stencil.scatter(groups[g], P_g, force.data());
               else
-                stencil.scatter(groups[g], P_g, q_g, force.data());
+                stencil.scatter(
+                  groups[g], centre_of(g), P_g, q_g, force.data());
             }
           double largest = 0.;
           for (std::size_t dof = 0; dof < u.size(); ++dof)

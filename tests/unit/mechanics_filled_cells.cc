@@ -134,7 +134,55 @@ namespace mechanics_filled_cells
       b_bar -= standard;
       EXPECT_GT(b_bar.linfty_norm(), 0.01 * size);
     }
+
+
+    /// A block that reaches into the empty cells on its right by a part e of a
+    /// cell, with a pressure that grows with depth. The largest force along
+    /// their faces on nodes that only these cells have.
+    template <int dim>
+    double
+    force_behind_the_face(const double e, const BBarCells cells)
+    {
+      const BackgroundGrid<dim> grid(Lattice::grid<dim>(1.5, h));
+      Weights<dim>              weights(grid, ShapeFunctions::gimp);
+      Point<dim>                x;
+      for (unsigned int d = 0; d < dim; ++d)
+        x[d] = h;
+      MaterialPoints<dim> points = Lattice::box(x, 4, 0.5 * h);
+      for (std::size_t p = 0; p < points.n_points(); ++p)
+        {
+          points.stress[p] =
+            -10. * (4. - points.position[p][1]) * unit_symmetric_tensor<3>();
+          points.position[p][0] += e * h;
+        }
+      weights.reinit(points);
+      NodalVector               force(grid.n_dofs());
+      MeanDilatationMotion<dim> motion(false, cells);
+      motion.start(points, weights);
+      motion.add_force_of_stress(points, weights, force);
+      double largest = 0.;
+      for (unsigned int i = 0; i < grid.n_nodes(); ++i)
+        if (grid.node_position(i)[0] > 3.5 * h)
+          for (unsigned int c = 1; c < dim; ++c)
+            largest =
+              std::max(largest, std::abs(force.local_element(dim * i + c)));
+      return largest;
+    }
   } // namespace
+
+
+  TEST(Mechanics, b_bar_pushes_nodes_behind_a_face_no_more_than_their_mass)
+  {
+    // That mass is in proportion to the square of what reaches there.
+    for (const double e : {1e-3, 1e-5})
+      {
+        EXPECT_LT(force_behind_the_face<2>(e, BBarCells::filled), 10. * e * e);
+        EXPECT_LT(force_behind_the_face<3>(e, BBarCells::filled), 10. * e * e);
+        // Everywhere it does.
+        EXPECT_GT(force_behind_the_face<2>(e, BBarCells::all), 0.1 * e);
+        EXPECT_GT(force_behind_the_face<3>(e, BBarCells::all), 0.1 * e);
+      }
+  }
 
 
   TEST(Mechanics, b_bar_acts_where_soil_fills_the_cells)

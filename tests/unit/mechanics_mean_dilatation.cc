@@ -36,7 +36,7 @@ namespace mechanics_mean_dilatation
       for (std::size_t p = 0; p < body.points.n_points(); ++p)
         {
           const PointWeights<dim> &w = body.weights[p];
-          const CentreWeights<dim> c(w, h);
+          const CentreWeights<dim> c(CentreWeights<dim>::shares(w, h));
           double                   H[dim][dim];
           EXPECT_NEAR(stencil.gradient(w, c, linear.begin(), H),
                       trace(A),

@@ -234,7 +234,7 @@ namespace simulation_load_programmes
     EXPECT_GT(n_grown, 5u);
     EXPECT_TRUE(state.loads[0].is_stopped());
     EXPECT_GT(watched_value(Watched::settlement_of_load,
-                            state.points,
+                            Body<2>(state.points),
                             state.failure,
                             0.,
                             carried_load(column.load(), state.points)),

@@ -45,6 +45,20 @@ namespace Waker
     longest_side() const;
   };
 
+  /// Section "Ranks".
+  struct RankParameters
+  {
+    /// Points of the rank that has most, over the mean: above it they are dealt
+    /// out anew.
+    double largest_imbalance = 1.1;
+
+    void
+    add_parameters(ParameterHandler &prm);
+    /// @throws UserError "Ranks/..."
+    void
+    check() const;
+  };
+
   /// Section "Strength reduction".
   struct StrengthReductionParameters
   {
@@ -94,6 +108,7 @@ namespace Waker
     SlidingMassParameters                sliding;
     StopParameters                       stop;
     StrengthReductionParameters          strength_reduction;
+    RankParameters                       ranks;
     OutputParameters                     output;
 
     /// If this is the section of a case in space: that case, and z (m).
@@ -102,8 +117,8 @@ namespace Waker
 
     /// The .prm text of all values used, and its hash: they go with every
     /// output. Set by the reader; `hash` leaves "Output" and "Stop rules" and
-    /// the end time out (and "Strength reduction"): a run may be resumed with
-    /// other values of those.
+    /// the end time out (and "Strength reduction", "Ranks"): a run may be
+    /// resumed with other values of those.
     std::string text;
     std::string hash;
 

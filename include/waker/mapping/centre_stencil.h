@@ -4,30 +4,43 @@
 
 #include <waker/mapping/stencil.h>
 
+#include <array>
+
 namespace Waker
 {
   /**
    * The gradients of the nodes' functions at the centres of the cells,
    * averaged over a point's support domain: with the values at a cell's centre
    * instead of those on the way, in each direction
-   *   S^c = 1/2 the domain's shares of the node's two cells,
-   * the derivative with respect to x is S'(x) S^c(y) [S^c(z)], and so on. They
-   * sum up to nothing, and give a linear field its gradient (numerics: B-bar
-   * with GIMP; the Q1 element's mean dilatation is that of its centre).
+   *   S^c = (a, 1, 1 - a) / 2,
+   * a the share of the domain's first cell; the derivative with respect to x is
+   * S'(x) S^c(y) [S^c(z)], and so on. They sum up to nothing, and give a linear
+   * field its gradient, whatever a is (numerics: B-bar with GIMP; the Q1
+   * element's mean dilatation is that of its centre). It is that of the cells
+   * in which B-bar acts (FilledCells).
    */
   template <int dim>
   struct CentreWeights
   {
-    CentreWeights(const PointWeights<dim> &w, const double h)
+    /// @param first a, in each direction
+    explicit CentreWeights(const std::array<double, dim> &first)
     {
-      // The shares are in the slopes, those of the first and second cell.
       for (unsigned int d = 0; d < dim; ++d)
         {
-          const double first = -w.gradient[d][0] * h;
-          value[d][0]        = 0.5 * first;
-          value[d][2]        = 0.5 * w.gradient[d][2] * h;
-          value[d][1]        = 0.5 * (first + w.gradient[d][2] * h);
+          value[d][0] = 0.5 * first[d];
+          value[d][1] = 0.5;
+          value[d][2] = 0.5 - value[d][0];
         }
+    }
+
+    /// Of the whole domain: the shares are in the slopes.
+    static std::array<double, dim>
+    shares(const PointWeights<dim> &w, const double h)
+    {
+      std::array<double, dim> first;
+      for (unsigned int d = 0; d < dim; ++d)
+        first[d] = -w.gradient[d][0] * h;
+      return first;
     }
 
     double value[dim][3];

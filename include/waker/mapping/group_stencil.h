@@ -4,7 +4,10 @@
 
 #include <waker/mapping/point_groups.h>
 
+#include <array>
+#include <cstddef>
 #include <cstring>
+#include <type_traits>
 
 namespace Waker
 {
@@ -14,14 +17,15 @@ namespace Waker
   {
     using Number = typename LaneTraits<Lanes>::Number;
 
-    GroupCentreWeights(const PointGroup<Lanes> &w, const Number h)
+    /// @param first share of the first cell, in each direction
+    explicit GroupCentreWeights(const std::array<Lanes, 3> &first)
     {
-      const Number half = Number(0.5) * h;
+      const Number half = Number(0.5);
       for (unsigned int d = 0; d < 3; ++d)
         {
-          value[d][0] = -half * w.gradient[d][0];
-          value[d][2] = half * w.gradient[d][2];
-          value[d][1] = value[d][0] + value[d][2];
+          value[d][0] = half * first[d];
+          value[d][1] = half + Lanes{};
+          value[d][2] = half - value[d][0];
         }
     }
 
@@ -82,10 +86,11 @@ namespace Waker
 
     /// sum_i u_i . grad^c S_ip
     Lanes
-    mean_dilatation(const Group &w, const Number *nodal) const
+    mean_dilatation(const Group                     &w,
+                    const GroupCentreWeights<Lanes> &c,
+                    const Number                    *nodal) const
     {
-      const GroupCentreWeights<Lanes> c(w, h);
-      Lanes                           mean = {};
+      Lanes mean = {};
       for (unsigned int k = 0; k < 3; ++k)
         {
           Lanes in_plane = {}, across = {};
@@ -111,23 +116,29 @@ namespace Waker
     void
     scatter(const Group &w, const Lanes *P, Number *nodal) const
     {
-      add<false>(w, P, Lanes{}, nodal);
+      add(w, P, nullptr, Lanes{}, nodal);
     }
 
     /// nodal_i += sum_p (P grad S_ip + p grad^c S_ip)
     void
-    scatter(const Group &w, const Lanes *P, const Lanes p, Number *nodal) const
+    scatter(const Group                     &w,
+            const GroupCentreWeights<Lanes> &c,
+            const Lanes                     *P,
+            const Lanes                      p,
+            Number                          *nodal) const
     {
-      add<true>(w, P, p, nodal);
+      add(w, P, &c, p, nodal);
     }
 
     /// nodal_i,c += sum_p f_c(grad S_ip, grad^c S_ip)
     /// @param f f(gradient, centre gradient, sum): adds to sum[3]
     template <typename Function>
     void
-    scatter_of_gradients(const Group &w, const Function &f, Number *nodal) const
+    scatter_of_gradients(const Group                     &w,
+                         const GroupCentreWeights<Lanes> &c,
+                         const Function                  &f,
+                         Number                          *nodal) const
     {
-      const GroupCentreWeights<Lanes> c(w, h);
       for (unsigned int k = 0; k < 3; ++k)
         {
           Lanes sums[32] = {};
@@ -149,11 +160,16 @@ namespace Waker
     }
 
   private:
-    template <bool mean>
+    /// @param centre pointer to its weights; nullptr: there is no p
+    template <typename Centre>
     void
-    add(const Group &w, const Lanes *P, const Lanes p, Number *nodal) const
+    add(const Group  &w,
+        const Lanes  *P,
+        const Centre &centre,
+        const Lanes   p,
+        Number       *nodal) const
     {
-      const GroupCentreWeights<Lanes> c(w, h);
+      constexpr bool mean = !std::is_same<Centre, std::nullptr_t>::value;
       for (unsigned int k = 0; k < 3; ++k)
         {
           // The three planes of P, times the weights along z.
@@ -164,9 +180,11 @@ namespace Waker
               y[e] = w.value[2][k] * P[3 * e + 1];
               z[e] = w.gradient[2][k] * P[3 * e + 2];
             }
-          const Lanes in_plane = c.value[2][k] * p;
+          Lanes       in_plane = {};
           const Lanes across   = w.gradient[2][k] * p;
-          Lanes       sums[32] = {};
+          if constexpr (mean)
+            in_plane = centre->value[2][k] * p;
+          Lanes sums[32] = {};
           for (unsigned int j = 0; j < 3; ++j)
             {
               Lanes a[3], b[3];
@@ -177,7 +195,7 @@ namespace Waker
                 }
               Lanes *const sum = sums + 9 * j;
               if constexpr (mean)
-                a[0] += c.value[1][j] * in_plane;
+                a[0] += centre->value[1][j] * in_plane;
               for (unsigned int i = 0; i < 3; ++i)
                 for (unsigned int e = 0; e < 3; ++e)
                   sum[3 * i + e] =
@@ -185,11 +203,11 @@ namespace Waker
               if constexpr (mean)
                 {
                   const Lanes along = w.gradient[1][j] * in_plane;
-                  const Lanes out   = c.value[1][j] * across;
+                  const Lanes out   = centre->value[1][j] * across;
                   for (unsigned int i = 0; i < 3; ++i)
                     {
-                      sum[3 * i + 1] += c.value[0][i] * along;
-                      sum[3 * i + 2] += c.value[0][i] * out;
+                      sum[3 * i + 1] += centre->value[0][i] * along;
+                      sum[3 * i + 2] += centre->value[0][i] * out;
                     }
                 }
             }

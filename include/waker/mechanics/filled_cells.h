@@ -6,6 +6,7 @@
 #include <waker/particles/material_points.h>
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace Waker
@@ -34,6 +35,14 @@ namespace Waker
    *   share of the point    = 2 B - 1, at least 0,
    * with B the mean of b over the support domain: one of which half or more
    * lies in cells without B-bar has none.
+   *
+   * Into an empty cell, behind a wall along which soil moves, a domain may
+   * reach by a hair e. The values at that cell's centre would push its nodes
+   * along the wall in proportion to e; their mass, and what the standard
+   * gradients do there, is in proportion to e^2. So in each direction the
+   * values are those of two cells with their shares times the mean b of what
+   * lies there. (Across the wall both are in proportion to e, as a traction on
+   * the surface is.)
    */
   template <int dim>
   class FilledCells
@@ -61,6 +70,14 @@ namespace Waker
       return shares.size();
     }
 
+    /// The share of its first cell in the mean dilatation of point p, in each
+    /// direction, see CentreWeights.
+    const std::array<double, dim> &
+    first_shares(const std::size_t p) const
+    {
+      return first[p];
+    }
+
     /// Share of B-bar of point p, 0 to 1.
     double
     operator[](const std::size_t p) const
@@ -72,6 +89,7 @@ namespace Waker
     BBarCells           which;
     std::vector<double> cells; // by their lowest node: volume (m^dim), then b
     std::vector<double> shares;
+    std::vector<std::array<double, dim>> first;
   };
 } // namespace Waker
 

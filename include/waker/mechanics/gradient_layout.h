@@ -5,6 +5,7 @@
 #include <waker/mapping/group_stencil.h>
 #include <waker/mapping/stencil.h>
 #include <waker/materials/material.h>
+#include <waker/mechanics/filled_cells.h>
 
 namespace Waker
 {
@@ -31,14 +32,15 @@ namespace Waker
     static constexpr unsigned int n_in  = 4;
     static constexpr unsigned int n_out = n_rows;
 
-    explicit GradientLayout(const Weights<2> &weights)
+    GradientLayout(const Weights<2> &weights, const FilledCells<2> *)
       : stencil(weights.background_grid())
     {}
 
     void
     gather(const PointWeights<2> &w,
-           const double          *u,
-           const unsigned int     l,
+           const std::size_t,
+           const double      *u,
+           const unsigned int l,
            double (&in)[n_in][N]) const
     {
       const Tensor<2, 2> gradient = stencil.gradient(w, u);
@@ -49,6 +51,7 @@ namespace Waker
 
     void
     scatter(const PointWeights<2> &w,
+            const std::size_t,
             const double (&out)[n_out][N],
             const unsigned int l,
             double            *f) const
@@ -62,6 +65,7 @@ namespace Waker
 
     void
     add_diagonal(const PointWeights<2> &w,
+                 const std::size_t,
                  const double (&A)[n_out][n_in][N],
                  const unsigned int l,
                  double            *f) const
@@ -90,18 +94,21 @@ namespace Waker
     static constexpr unsigned int n_in  = 9;
     static constexpr unsigned int n_out = n_rows;
 
-    explicit GroupGradientLayout(const Weights<3> &weights)
+    GroupGradientLayout(const Weights<3> &weights, const std::array<Lanes, 3> *)
       : stencil(weights.background_grid())
     {}
 
     void
-    gather(const Group &w, const Number *u, Lanes *in) const
+    gather(const Group &w, const std::size_t, const Number *u, Lanes *in) const
     {
       stencil.gradient(w, u, in);
     }
 
     void
-    scatter(const Group &w, const Lanes *out, Number *f) const
+    scatter(const Group &w,
+            const std::size_t,
+            const Lanes *out,
+            Number      *f) const
     {
       Lanes P[9];
       for (unsigned int c = 0; c < 3; ++c)
@@ -111,10 +118,14 @@ namespace Waker
     }
 
     void
-    add_diagonal(const Group &w, const Lanes *A, Number *f) const
+    add_diagonal(const Group &w,
+                 const std::size_t,
+                 const Lanes *A,
+                 Number      *f) const
     {
       stencil.scatter_of_gradients(
         w,
+        GroupCentreWeights<Lanes>({}), // asks for none
         [&](const Lanes *const g, const Lanes *, Lanes *const sum) {
           for (unsigned int c = 0; c < 3; ++c)
             for (unsigned int d = 0; d < 3; ++d)

@@ -6,6 +6,7 @@
 #include <waker/mechanics/point_tangents.h>
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace Waker
@@ -19,9 +20,9 @@ namespace Waker
    *
    * The layout has, as one of BlockTangents,
    *   n_in, n_out              how many numbers a point gathers and scatters,
-   *   gather(group, u, in)     in[.] from the nodes' u,
-   *   scatter(group, out, f)   the nodes' f from out[.],
-   *   add_diagonal(group, A, f),
+   *   gather(group, g, u, in)     in[.] from the nodes' u, of group number g,
+   *   scatter(group, g, out, f)   the nodes' f from out[.],
+   *   add_diagonal(group, g, A, f),
    * and A[n_in o + i] = d out_o / d in_i of the group's points between them.
    */
   template <typename Layout>
@@ -74,10 +75,12 @@ namespace Waker
             }
         }
 
-      const Layout layout(weights);
+      read_first_shares(stress_update.point_motion().filled_cells(),
+                        points.n_points());
+      const Layout layout(weights, first_shares.data());
       result.assign(diagonal.locally_owned_size(), Number(0));
       for (std::size_t g = 0; g < groups.size(); ++g)
-        layout.add_diagonal(groups[g], tangents[g].A, result.data());
+        layout.add_diagonal(groups[g], g, tangents[g].A, result.data());
       std::copy(result.begin(), result.end(), diagonal.begin());
     }
 
@@ -86,13 +89,13 @@ namespace Waker
               const double     *u,
               double           *f) const override
     {
-      const Layout layout(weights);
+      const Layout layout(weights, first_shares.data());
       direction.assign(u, u + result.size());
       std::fill(result.begin(), result.end(), Number(0));
       for (std::size_t g = 0; g < groups.size(); ++g)
         {
           Lanes in[Layout::n_in], out[Layout::n_out];
-          layout.gather(groups[g], direction.data(), in);
+          layout.gather(groups[g], g, direction.data(), in);
           const Lanes *A = tangents[g].A;
           for (unsigned int o = 0; o < Layout::n_out; ++o)
             {
@@ -100,7 +103,7 @@ namespace Waker
               for (unsigned int i = 0; i < Layout::n_in; ++i)
                 out[o] += *A++ * in[i];
             }
-          layout.scatter(groups[g], out, result.data());
+          layout.scatter(groups[g], g, out, result.data());
         }
       for (std::size_t dof = 0; dof < result.size(); ++dof)
         f[dof] += result[dof];
@@ -114,10 +117,25 @@ namespace Waker
       Lanes A[n_entries];
     };
 
-    PointGroups<Lanes>          groups;
-    std::vector<GroupTangent>   tangents;
-    std::vector<unsigned char>  n_filled; // lanes of each, the first ones
-    mutable std::vector<Number> direction, result; // of a product
+    /// @param filled of the motion, or null
+    void
+    read_first_shares(const FilledCells<3> *filled, const std::size_t n_points)
+    {
+      first_shares.clear();
+      if (filled == nullptr)
+        return;
+      first_shares.resize(groups.size());
+      for (std::size_t p = 0; p < n_points; ++p)
+        for (unsigned int d = 0; d < 3; ++d)
+          first_shares[groups.group_of(p)][d][groups.lane_of(p)] =
+            filled->first_shares(p)[d];
+    }
+
+    PointGroups<Lanes>                groups;
+    std::vector<GroupTangent>         tangents;
+    std::vector<std::array<Lanes, 3>> first_shares; // none without B-bar
+    std::vector<unsigned char>        n_filled; // lanes of each, the first ones
+    mutable std::vector<Number>       direction, result; // of a product
   };
 
 

@@ -5,6 +5,7 @@
 #include <waker/mapping/centre_stencil.h>
 #include <waker/mapping/group_stencil.h>
 #include <waker/materials/material.h>
+#include <waker/mechanics/filled_cells.h>
 #include <waker/mechanics/gradient_layout.h>
 
 namespace Waker
@@ -21,18 +22,27 @@ namespace Waker
     static constexpr unsigned int n_in       = 5;
     static constexpr unsigned int n_out      = n_stresses + 1;
 
-    explicit MeanDilatationLayout(const Weights<2> &weights)
+    MeanDilatationLayout(const Weights<2>     &weights,
+                         const FilledCells<2> *filled)
       : stencil(weights.background_grid())
+      , filled(filled)
     {}
+
+    CentreWeights<2>
+    centre(const std::size_t p) const
+    {
+      return CentreWeights<2>(filled->first_shares(p));
+    }
 
     void
     gather(const PointWeights<2> &w,
+           const std::size_t      p,
            const double          *u,
            const unsigned int     l,
            double (&in)[n_in][N]) const
     {
       double       H[2][2];
-      const double mean = stencil.gradient(w, {w, stencil.cell_size()}, u, H);
+      const double mean = stencil.gradient(w, centre(p), u, H);
       double       tr   = 0.;
       for (unsigned int c = 0; c < 2; ++c)
         {
@@ -45,20 +55,22 @@ namespace Waker
 
     void
     scatter(const PointWeights<2> &w,
+            const std::size_t      p,
             const double (&out)[n_out][N],
             const unsigned int l,
             double            *f) const
     {
-      const double p = out[n_stresses][l];
+      const double pressure = out[n_stresses][l];
       Tensor<2, 2> P;
       for (unsigned int c = 0; c < 2; ++c)
         for (unsigned int d = 0; d < 2; ++d)
-          P[c][d] = out[stress_row<2>(c, d)][l] - (c == d ? p : 0.);
-      stencil.scatter(w, {w, stencil.cell_size()}, P, p, f);
+          P[c][d] = out[stress_row<2>(c, d)][l] - (c == d ? pressure : 0.);
+      stencil.scatter(w, centre(p), P, pressure, f);
     }
 
     void
     add_diagonal(const PointWeights<2> &w,
+                 const std::size_t      p,
                  const double (&A)[n_out][n_in][N],
                  const unsigned int l,
                  double            *f) const
@@ -76,7 +88,7 @@ namespace Waker
           }
       const double pressure = A[n_stresses][4][l] / 3.;
       stencil.for_each_node(w,
-                            {w, stencil.cell_size()},
+                            this->centre(p),
                             [&](const unsigned int  node,
                                 const Tensor<1, 2> &g,
                                 const Tensor<1, 2> &centre) {
@@ -96,6 +108,7 @@ namespace Waker
     }
 
     const CentreStencil<2> stencil;
+    const FilledCells<2>  *filled;
   };
 
 
@@ -112,20 +125,35 @@ namespace Waker
     static constexpr unsigned int n_in  = 10;
     static constexpr unsigned int n_out = 7;
 
-    explicit GroupMeanDilatationLayout(const Weights<3> &weights)
+    /// @param first_shares of the points of each group
+    GroupMeanDilatationLayout(const Weights<3>           &weights,
+                              const std::array<Lanes, 3> *first_shares)
       : stencil(weights.background_grid())
+      , first_shares(first_shares)
     {}
 
-    void
-    gather(const Group &w, const Number *u, Lanes *in) const
+    GroupCentreWeights<Lanes>
+    centre(const std::size_t group) const
     {
-      stencil.gradient(w, u, in);
-      const Lanes tr = in[0] + in[4] + in[8];
-      in[9]          = (stencil.mean_dilatation(w, u) - tr) * third;
+      return GroupCentreWeights<Lanes>(first_shares[group]);
     }
 
     void
-    scatter(const Group &w, const Lanes *out, Number *f) const
+    gather(const Group      &w,
+           const std::size_t group,
+           const Number     *u,
+           Lanes            *in) const
+    {
+      stencil.gradient(w, u, in);
+      const Lanes tr = in[0] + in[4] + in[8];
+      in[9] = (stencil.mean_dilatation(w, centre(group), u) - tr) * third;
+    }
+
+    void
+    scatter(const Group      &w,
+            const std::size_t group,
+            const Lanes      *out,
+            Number           *f) const
     {
       Lanes P[9];
       for (unsigned int c = 0; c < 3; ++c)
@@ -133,11 +161,14 @@ namespace Waker
           P[3 * c + d] = out[stress_row<3>(c, d)];
       for (unsigned int c = 0; c < 3; ++c)
         P[4 * c] -= out[6];
-      stencil.scatter(w, P, out[6], f);
+      stencil.scatter(w, centre(group), P, out[6], f);
     }
 
     void
-    add_diagonal(const Group &w, const Lanes *A, Number *f) const
+    add_diagonal(const Group      &w,
+                 const std::size_t group,
+                 const Lanes      *A,
+                 Number           *f) const
     {
       // As MeanDilatationLayout.
       Lanes r[3][3];
@@ -148,6 +179,7 @@ namespace Waker
       const Lanes pressure = A[n_in * 6 + 9] * third;
       stencil.scatter_of_gradients(
         w,
+        this->centre(group),
         [&](const Lanes *const g, const Lanes *const centre, Lanes *const sum) {
           for (unsigned int c = 0; c < 3; ++c)
             {
@@ -166,7 +198,8 @@ namespace Waker
         f);
     }
 
-    const GroupStencil<Lanes> stencil;
+    const GroupStencil<Lanes>         stencil;
+    const std::array<Lanes, 3> *const first_shares;
   };
 } // namespace Waker
 

@@ -148,6 +148,14 @@ namespace Waker
     {
       return BBarCells::filled;
     }
+
+    /// How far, and from which part of its domain, at each point: since
+    /// start(). Null if it is not.
+    virtual const FilledCells<dim> *
+    filled_cells() const
+    {
+      return nullptr;
+    }
   };
 
 

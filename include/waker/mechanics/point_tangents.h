@@ -38,9 +38,9 @@ namespace Waker
   /**
    * In 2D: the loop over blocks of points for a layout, which has
    *   n_in, n_out             how many numbers a point gathers and scatters,
-   *   gather(w, u, l, in)     in[.][l] from the nodes' u,
-   *   scatter(w, out, l, f)   the nodes' f from out[.][l],
-   *   add_diagonal(w, A, l, f),
+   *   gather(w, p, u, l, in)     in[.][l] from the nodes' u, of point p,
+   *   scatter(w, p, out, l, f)   the nodes' f from out[.][l],
+   *   add_diagonal(w, p, A, l, f),
    * and A[o][i][l] = d out_o / d in_i of point l between them.
    */
   template <typename Layout>
@@ -55,7 +55,8 @@ namespace Waker
            const Weights<2>        &weights,
            NodalVector             &diagonal) override
     {
-      const Layout layout(weights);
+      filled = stress_update.point_motion().filled_cells();
+      const Layout layout(weights, filled);
       blocks.resize((points.n_points() + N - 1) / N);
       diagonal = 0.;
       // The diagonal goes along, while a block's tangents are at hand.
@@ -67,7 +68,8 @@ namespace Waker
           const std::size_t n_points =
             std::min<std::size_t>(N, points.n_points() - b * N);
           for (unsigned int l = 0; l < n_points; ++l)
-            layout.add_diagonal(weights[b * N + l], A, l, diagonal.begin());
+            layout.add_diagonal(
+              weights[b * N + l], b * N + l, A, l, diagonal.begin());
         }
     }
 
@@ -76,14 +78,14 @@ namespace Waker
               const double     *u,
               double           *f) const override
     {
-      const Layout layout(weights);
+      const Layout layout(weights, filled);
       double       in[Layout::n_in][N] = {}, out[Layout::n_out][N];
       for (std::size_t b = 0; b < blocks.size(); ++b)
         {
           const std::size_t n_points =
             std::min<std::size_t>(N, weights.size() - b * N);
           for (unsigned int l = 0; l < n_points; ++l)
-            layout.gather(weights[b * N + l], u, l, in);
+            layout.gather(weights[b * N + l], b * N + l, u, l, in);
 
           const auto &A = blocks[b].A;
           for (unsigned int o = 0; o < Layout::n_out; ++o)
@@ -96,7 +98,7 @@ namespace Waker
               }
 
           for (unsigned int l = 0; l < n_points; ++l)
-            layout.scatter(weights[b * N + l], out, l, f);
+            layout.scatter(weights[b * N + l], b * N + l, out, l, f);
         }
     }
 
@@ -106,7 +108,8 @@ namespace Waker
       double A[Layout::n_out][Layout::n_in][N];
     };
 
-    std::vector<Block> blocks;
+    std::vector<Block>    blocks;
+    const FilledCells<2> *filled = nullptr; // of the motion, or none
   };
 } // namespace Waker
 

@@ -170,6 +170,12 @@ namespace Waker
       return cells;
     }
 
+    const FilledCells<dim> *
+    filled_cells() const override
+    {
+      return &shares;
+    }
+
   private:
     BBarCells cells;
     std::vector<double>
