@@ -144,6 +144,15 @@ namespace Waker
                         ", but there is drained soil with water in it, which "
                         "would boil",
                       "contour");
+    // Where soil is lower than the section by a hair, the load of that is on
+    // nodes without any.
+    if (is_drained && p.dimension == 3 && p.surface.prismatic &&
+        p.water.stands())
+      throw UserError("Surface/Prismatic",
+                      "is true, but there is drained soil with water in it, "
+                      "which would boil: the water outside must act where each "
+                      "place along z ends",
+                      "false, or the plane (Dimension = 2)");
     for (const TractionParameters &traction : p.tractions)
       if (is_drained && traction.kind == TractionKind::hydrostatic &&
           traction.minimum_support > 0.)

@@ -10,6 +10,7 @@
 
 #include "plausible_ranges.h"
 #include "storm_warnings.h"
+#include "strange_b_bar.h"
 #include "strange_cam_clay.h"
 #include "strange_pore_water.h"
 #include "strange_softening.h"
@@ -40,12 +41,6 @@ namespace Waker
                << " m, where a support domain passes the level";
           warnings.push_back(text.str());
         }
-      if (p.water.stands() &&
-          p.mapping.volumetric_strain == VolumetricStrain::b_bar_everywhere)
-        warnings.push_back(
-          "Kinematics and mapping/Volumetric strain = B-bar in all cells: soil "
-          "in cells that it hardly fills may boil under water; B-bar leaves "
-          "those alone");
       if (p.water.stands() && p.water.minimum_support < 1e-3 &&
           !p.pore_water.is_there())
         {
@@ -330,6 +325,7 @@ namespace Waker
     warn_of_friction(p, warnings);
     check_section(p, warnings);
     check_water(p, warnings);
+    strange_b_bar(p, warnings);
     check_liquids(p, warnings);
     warn_of_pore_water(p, warnings);
     for (const std::string &text : storm_warnings(p))

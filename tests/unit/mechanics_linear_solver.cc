@@ -12,6 +12,8 @@ namespace mechanics_linear_solver
 
   using namespace Waker;
   using namespace BoxOfSoil;
+  using BoxOfSoil::Body;
+  using BoxOfSoil::Box;
 
   namespace
   {

@@ -17,6 +17,8 @@ namespace mechanics_multilevel
 
   using namespace Waker;
   using namespace BoxOfSoil;
+  using BoxOfSoil::Body;
+  using BoxOfSoil::Box;
 
   namespace
   {

@@ -127,10 +127,20 @@ namespace program_friction
                  "Surface/Method",
                  "would boil",
                  "contour");
-    EXPECT_NO_THROW(warnings({model + "=Mohr-Coulomb",
-                              line,
-                              "Water/Minimum support=0",
-                              "Surface/Method=contour"}));
+    const std::vector<std::string> drained = {model + "=Mohr-Coulomb",
+                                              line,
+                                              "Water/Minimum support=0",
+                                              "Surface/Method=contour"};
+    EXPECT_NO_THROW(warnings(drained));
+    // One section is not where each place along z ends.
+    std::vector<std::string> slice = drained;
+    slice.insert(slice.end(),
+                 {"Dimension=3",
+                  "Grid/Lower corner=-6, 0, 0",
+                  "Grid/Upper corner=42, 6, 1"});
+    EXPECT_NO_THROW(warnings(slice));
+    slice.push_back("Surface/Prismatic=true");
+    expect_error(slice, "Surface/Prismatic", "would boil", "Dimension = 2");
     EXPECT_TRUE(warnings({model + "=Mohr-Coulomb",
                           clay + "Friction angle=0",
                           clay + "Tensile strength=apex"})

@@ -68,6 +68,11 @@ namespace simulation_strange_loads
     EXPECT_EQ(of(strain, {strain + "=B-bar"}), 0u);
     EXPECT_EQ(of(strain, {strain + "=B-bar in all cells", "Water/Side=none"}),
               0u);
+    const std::string roller = "Boundary conditions/left side/Type=roller";
+    EXPECT_EQ(of(strain,
+                 {strain + "=B-bar in all cells", "Water/Side=none", roller}),
+              1u);
+    EXPECT_EQ(of(strain, {strain + "=B-bar", roller}), 0u);
 
     // The coarse dyke has cells of 0.5 m.
     const std::string width = "Initial failure/Width change";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/nodes/nodal_state.h>
 #include <waker/surface/user_surface.h>
 
 #include "output_temporary_folder.h"
