@@ -6,6 +6,7 @@ chapter 6 (parameters/chapter6/slope.prm) on several ranks.
     ranks.py time WAKER [CELL SIZE]   two ranks against two runs side by side
     ranks.py count WAKER              what ranks tell each other, on 2, 4 and 8
     ranks.py surface WAKER            what is done for each facet by all
+    ranks.py imbalance WAKER          a slide on two ranks, by when points are dealt out anew
     ranks.py model                    fit, table and figure
 
 `time` needs two idle cores. Results are kept in doc/verification/data.
@@ -105,6 +106,21 @@ def count(waker):
                             [float(POINTS[cell])] + numbers)))
 
 
+def imbalance(waker):
+    """The slope with a sixth of its strength flows out of the parts it began in."""
+    for cell, n_steps in ((0.25, 300), (0.125, 120)):
+        for limit in (1.0, 1.02, 1.05, 1.1, 1.2, 1.5, 100.):
+            with tempfile.TemporaryDirectory() as work:
+                seconds = loop_time([command(waker, cell, n_steps, work + "/run", 2) +
+                                     ["--set", f"Ranks/Largest imbalance={limit}",
+                                      "--set", "Materials/clay/Initial strength=0.7",
+                                      "--set", "Materials/clay/Residual strength=0.5"]])
+            print(f"cells of {cell} m, limit {limit}: {seconds / n_steps:.4f} s a step",
+                  flush=True)
+            append("ranks_imbalance", 2, {"cell size (m)": cell, "limit": limit,
+                                          "step (s)": seconds / n_steps})
+
+
 def surface(waker):
     """Seconds a step and facet on each of two ranks, by perf's samples."""
     cell, n_steps = 0.0625, 10
@@ -183,7 +199,8 @@ def model():
 
 
 def main():
-    if len(sys.argv) < 2 or sys.argv[1] not in ("time", "count", "surface", "model"):
+    if len(sys.argv) < 2 or sys.argv[1] not in ("time", "count", "surface", "imbalance",
+                                                "model"):
         sys.exit(__doc__)
     if sys.argv[1] == "model":
         model()
@@ -191,6 +208,8 @@ def main():
         count(sys.argv[2])
     elif sys.argv[1] == "surface":
         surface(sys.argv[2])
+    elif sys.argv[1] == "imbalance":
+        imbalance(sys.argv[2])
     else:
         measure_time(sys.argv[2], *[float(word) for word in sys.argv[3:4] or ["0.125"]])
 

@@ -362,15 +362,13 @@ namespace Waker
 
   template <int dim>
   void
-  Scene<dim>::complete(State<dim> &state)
+  Scene<dim>::complete(const MaterialPoints<dim> &points, const bool forces)
   {
-    if (part == nullptr)
-      return;
-    part->complete(nodes);
-    tractions.complete([&](const NodalVector &window, NodalVector &all) {
-      part->gather_loads(window, all);
-    });
-    surfaces.look_at_whole(state.points);
+    surfaces.look_at_whole(points);
+    if (forces)
+      tractions.complete([&](const NodalVector &window, NodalVector &all) {
+        part->gather_loads(window, all);
+      });
   }
 
 

@@ -123,9 +123,11 @@ namespace Waker
     NodalState &
     step_nodes();
 
-    /// On several ranks: what files show of the whole body, and of all nodes.
+    /// On several ranks: what files show of the whole body, whose points are
+    /// known now.
+    /// @param forces are those of the tractions on all nodes asked for?
     void
-    complete(State<dim> &state);
+    complete(const MaterialPoints<dim> &points, const bool forces);
 
     /// Level of the water at a time (m).
     double
