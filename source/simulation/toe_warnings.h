@@ -13,7 +13,7 @@ namespace Waker
    * A toe under water that ends on a firm base in a feather edge which hardly
    * fills its cell: where the water weighs several times the strength, its
    * points fly to and fro there ("boil"). Both limits are those between runs
-   * that do and runs that do not (doc/manual.md, "trouble").
+   * that do and runs that do not (doc/manual.md, section 7).
    */
   template <int dim>
   void
