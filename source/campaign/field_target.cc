@@ -15,6 +15,8 @@ namespace Waker
   {
     /// More of a distribution than this beyond its limits is worth a warning.
     constexpr double largest_share_beyond = 0.01;
+    /// Of the coefficients of variation of soils, with some room.
+    constexpr double largest_variation = 1.;
 
 
     double
@@ -121,11 +123,12 @@ namespace Waker
 
 
   template <int dim>
-  std::string
-  FieldTarget<dim>::warning() const
+  std::vector<std::string>
+  FieldTarget<dim>::warnings() const
   {
-    double      most = 0.;
-    std::size_t at   = 0;
+    std::vector<std::string> lines;
+    double                   most = 0., widest = 0.;
+    std::size_t              at = 0, of_widest = 0;
     for (std::size_t i = 0; i < points.size(); ++i)
       if (standard_deviation[i] > 0.)
         {
@@ -136,15 +139,32 @@ namespace Waker
               most = share;
               at   = i;
             }
+          // Of a mean of 0, as at the surface, it says nothing.
+          if (mean[i] > 0. && standard_deviation[i] > widest * mean[i])
+            {
+              widest    = standard_deviation[i] / mean[i];
+              of_widest = i;
+            }
         }
-    if (!(most > largest_share_beyond))
-      return "";
-    std::ostringstream text;
-    text << path << ": with mean " << mean[at] << " and standard deviation "
-         << standard_deviation[at] << " the limits cut off " << 100. * most
-         << " % of the distribution, which becomes the limit itself: mean and "
-            "deviation will be others";
-    return text.str();
+    if (most > largest_share_beyond)
+      {
+        std::ostringstream text;
+        text << path << ": with mean " << mean[at] << " and standard deviation "
+             << standard_deviation[at] << " the limits cut off " << 100. * most
+             << " % of the distribution, which becomes the limit itself: mean "
+                "and deviation will be others";
+        lines.push_back(text.str());
+      }
+    if (widest > largest_variation)
+      {
+        std::ostringstream text;
+        text << path << ": the standard deviation is "
+             << standard_deviation[of_widest] << " where the mean is "
+             << mean[of_widest] << ", a coefficient of variation of " << widest
+             << "; soils have 0.02 to " << largest_variation;
+        lines.push_back(text.str());
+      }
+    return lines;
   }
 
 

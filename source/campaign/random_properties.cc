@@ -116,6 +116,7 @@ namespace Waker
       }
     unit_of_first = targets[0].moments.varied().unit;
     find_residuals();
+    check_means();
     dependent.emplace(the_case, targets);
 
     const auto score = [&](const unsigned int           f,

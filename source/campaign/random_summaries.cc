@@ -15,26 +15,8 @@ namespace Waker
       return {};
     std::vector<std::string> lines = fields->warnings();
     for (const FieldTarget<dim> &target : targets)
-      if (const std::string warning = target.warning(); !warning.empty())
+      for (const std::string &warning : target.warnings())
         lines.push_back(warning);
-    return lines;
-  }
-
-
-  template <int dim>
-  std::vector<std::string>
-  RandomProperties<dim>::cut_off() const
-  {
-    std::vector<std::string> lines;
-    for (std::size_t t = 0; t < n_cut_off.size(); ++t)
-      if (n_cut_off[t] > 0)
-        lines.push_back(
-          targets[t].path + ": " + std::to_string(n_cut_off[t]) + " of " +
-          std::to_string(targets[t].points.size()) +
-          " points of the material "
-          "\"" +
-          the_case->parameters.materials[targets[t].material].name +
-          "\" are cut off at a limit");
     return lines;
   }
 
@@ -75,10 +57,6 @@ namespace Waker
   RandomProperties<2>::warnings() const;
   template std::vector<std::string>
   RandomProperties<3>::warnings() const;
-  template std::vector<std::string>
-  RandomProperties<2>::cut_off() const;
-  template std::vector<std::string>
-  RandomProperties<3>::cut_off() const;
   template std::optional<std::vector<FieldSummary>>
   RandomProperties<2>::summaries(const State<2> &) const;
   template std::optional<std::vector<FieldSummary>>

@@ -50,7 +50,7 @@ namespace Waker
                        state);
       std::vector<std::string> lines = properties.description();
       lines.push_back(mean_and_least("This is " + title, properties, state));
-      for (const std::string &line : properties.cut_off())
+      for (const std::string &line : properties.cut_off(state))
         lines.push_back(line);
       for (const std::string &warning : properties.warnings())
         lines.push_back(Log::warning_mark + warning);

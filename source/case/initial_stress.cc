@@ -199,10 +199,7 @@ namespace Waker
       }
     catch (const UserError &error)
       {
-        throw UserError("Initial stress/Daily stage",
-                        "is refused: in the daily stage " + error.where + " " +
-                          error.problem,
-                        error.allowed);
+        throw in_daily_stage(error);
       }
     catch (const NumericalFailure &failure)
       {

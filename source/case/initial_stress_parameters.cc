@@ -92,6 +92,28 @@ namespace Waker
   }
 
 
+  UserError
+  in_daily_stage(const UserError &error)
+  {
+    // What stands in the file serves both stages, unless the water of the daily
+    // stage has parameters of its own.
+    if (error.where == "Water/Level")
+      return UserError(level_path,
+                       "is refused: in the daily stage Water/Level " +
+                         error.problem,
+                       error.allowed);
+    if (error.where.rfind("Materials/", 0) == 0 ||
+        error.where.rfind("Soil profile/", 0) == 0)
+      return UserError(error.where,
+                       error.problem + ", in the daily stage",
+                       error.allowed);
+    return UserError(stage_path,
+                     "is refused: in the daily stage " + error.where + " " +
+                       error.problem,
+                     error.allowed);
+  }
+
+
   Parameters
   daily_stage(const Parameters &p)
   {
@@ -209,10 +231,7 @@ namespace Waker
       }
     catch (const UserError &error)
       {
-        throw UserError(error.where == "Water/Level" ? level_path : stage_path,
-                        "is refused: in the daily stage " + error.where + " " +
-                          error.problem,
-                        error.allowed);
+        throw in_daily_stage(error);
       }
   }
 } // namespace Waker

@@ -85,7 +85,47 @@ namespace Waker
            "earth pressure), or more strength";
       return text.str();
     }
+
+
+    std::vector<std::string>
+    symbols_of(const Material &law)
+    {
+      std::vector<std::string> symbols;
+      for (const MaterialVariable &variable : law.variables())
+        if (!variable.symbol.empty())
+          symbols.push_back(variable.symbol);
+      return symbols;
+    }
   } // namespace
+
+
+  template <int dim>
+  K0OfPoints<dim>::K0OfPoints(const MaterialParameters  &parameters,
+                              const Material            &law,
+                              const Ground<dim>         &ground,
+                              const MaterialPoints<dim> &points)
+    : points(&points)
+    , k0(parameters.k0_expression(),
+         "Materials/" + parameters.name + "/K0",
+         symbols_of(law),
+         ", or a number")
+  {
+    for (const MaterialVariable &variable : law.variables())
+      if (!variable.symbol.empty())
+        known.push_back(points.find_scalar(variable.name));
+    ground.check(k0, "Materials/" + parameters.name + "/K0");
+  }
+
+
+  template <int dim>
+  double
+  K0OfPoints<dim>::value(const std::size_t p, const InGround &place) const
+  {
+    std::vector<double> values;
+    for (const int array : known)
+      values.push_back(points->scalars[array].values[p]);
+    return k0.value(points->initial_position[p], place, values);
+  }
 
 
   template <int dim>
@@ -102,31 +142,18 @@ namespace Waker
       {
         const Material   &law  = *materials[m];
         const std::string path = "Materials/" + parameters[m].name + "/K0";
-        const std::string text = parameters[m].k0_expression();
-        const auto        list = law.variables();
-        std::vector<int>  arrays, known; // of the variables, of those named
+        std::vector<int>  arrays; // of the variables
         const int of_loads = points.find_scalar("pore pressure of loads");
-        std::vector<std::string> symbols;
-        for (const MaterialVariable &variable : list)
-          {
-            arrays.push_back(points.find_scalar(variable.name));
-            if (variable.symbol.empty())
-              continue;
-            known.push_back(arrays.back());
-            symbols.push_back(variable.symbol);
-          }
-        const PlaceExpression<dim> k0(text, path, symbols, ", or a number");
-        ground.check(k0, path);
+        for (const MaterialVariable &variable : law.variables())
+          arrays.push_back(points.find_scalar(variable.name));
+        const K0OfPoints<dim> k0(parameters[m], law, ground, points);
         for (std::size_t p = 0; p < points.n_points(); ++p)
           {
             if (points.material[p] != m)
               continue;
-            const Point<dim>   &x     = points.initial_position[p];
-            const InGround      place = ground.at(x, layers[p]);
-            std::vector<double> values;
-            for (const int array : known)
-              values.push_back(points.scalars[array].values[p]);
-            const double       factor = k0.value(x, place, values);
+            const Point<dim>  &x      = points.initial_position[p];
+            const InGround     place  = ground.at(x, layers[p]);
+            const double       factor = k0.value(p, place);
             std::ostringstream what;
             what.precision(4);
             what << "is " << factor << " at the point " << place_text(x)
@@ -168,6 +195,8 @@ namespace Waker
   }
 
 
+  template class K0OfPoints<2>;
+  template class K0OfPoints<3>;
   template void
   set_k0_stress(const std::vector<MaterialParameters> &,
                 const Materials &,

@@ -37,6 +37,61 @@ namespace Waker
   };
 
 
+  /// @param path "Materials/<name>/"
+  /// @param cohesion kPa
+  inline void
+  check_cohesion(const std::string &path, const double cohesion, Ranges &ranges)
+  {
+    constexpr double least = 0.1;
+    // Points at a free surface have no pressure that would give them strength.
+    ranges.check(path + "Cohesion",
+                 cohesion,
+                 least,
+                 200.,
+                 " kPa",
+                 cohesion < least ? "slopes of less shed their skin, or slide, "
+                                    "far below their angle; soils have"
+                                  : "soils have");
+  }
+
+
+  /// @param path "Materials/<name>/"
+  /// @param angle degrees
+  inline void
+  check_friction_angle(const std::string &path,
+                       const double       angle,
+                       Ranges            &ranges)
+  {
+    ranges.check(path + "Friction angle",
+                 angle,
+                 10.,
+                 50.,
+                 " degrees",
+                 angle == 0.
+                   ? "clay without drainage is Model = von Mises softening, or "
+                     "Pore fluid stiffness; soils with friction have"
+                   : "soils have");
+  }
+
+
+  /// @param path "Walls/<name>/" or "Boundary conditions/<name>/"
+  inline void
+  check_penalty_factor(const std::string &path,
+                       const double       factor,
+                       Ranges            &ranges)
+  {
+    ranges.check(path + "Penalty factor",
+                 factor,
+                 10.,
+                 1e6,
+                 "",
+                 factor < 10.
+                   ? "softer springs give way by a tenth of the soil's own "
+                     "strain and more; usual is"
+                   : "usual is");
+  }
+
+
   /// The strength of a soil, and its stiffness as a multiple of it.
   inline void
   check_strength(const std::string &path,

@@ -3,7 +3,6 @@
 
 #include <waker/base/expression_pattern.h>
 #include <waker/base/places.h>
-#include <waker/base/text.h>
 #include <waker/case/initial_properties.h>
 
 #include "plausible_ranges.h"
@@ -112,51 +111,6 @@ namespace Waker
           warnings.push_back(text.str());
         }
     }
-
-
-    void
-    warn_of_unused_entries(const std::string        &path,
-                           const MaterialParameters &m,
-                           std::vector<std::string> &warnings)
-    {
-      const auto warn = [&](const bool         is_set,
-                            const std::string &name,
-                            const std::string &choice) {
-        if (is_set)
-          warnings.push_back(path + name + " is not used with " + choice);
-      };
-      const ModifiedCamClayParameters &clay = m.cam_clay, usual;
-      const bool        is_own = !tidy(clay.preconsolidation).empty();
-      const std::string model  = std::string("Model = ") + name_of(m.model);
-      if (m.model != MaterialModel::modified_cam_clay)
-        {
-          warn(clay.holds != usual.holds, "Friction angle holds in", model);
-          warn(clay.lambda != usual.lambda, "Lambda", model);
-          warn(clay.kappa != usual.kappa, "Kappa", model);
-          warn(clay.void_ratio != usual.void_ratio, "Void ratio", model);
-          warn(clay.ocr != usual.ocr, "OCR", model);
-          warn(is_own, "Preconsolidation pressure", model);
-          warn(clay.least_pressure != usual.least_pressure,
-               "Least pressure",
-               model);
-          return;
-        }
-      const MohrCoulombParameters friction;
-      warn(m.mohr_coulomb.cohesion != friction.cohesion, "Cohesion", model);
-      warn(m.mohr_coulomb.dilatancy_angle != friction.dilatancy_angle,
-           "Dilatancy angle",
-           model);
-      warn(m.mohr_coulomb.tensile_strength != friction.tensile_strength,
-           "Tensile strength",
-           model);
-      warn(m.mohr_coulomb.softening_strain != friction.softening_strain,
-           "Softening strain",
-           model);
-      warn(is_own && clay.ocr != usual.ocr, "OCR", "Preconsolidation pressure");
-      warn(is_own && m.von_mises.strength.pop != 0.,
-           "POP",
-           "Preconsolidation pressure");
-    }
   } // namespace
 
 
@@ -166,7 +120,6 @@ namespace Waker
                    std::vector<std::string> &warnings)
   {
     const std::string path = "Materials/" + m.name + "/";
-    warn_of_unused_entries(path, m, warnings);
     if (m.model != MaterialModel::modified_cam_clay)
       return;
     check_ranges(path, m, warnings);

@@ -9,8 +9,7 @@
 
 namespace Waker
 {
-  /// What the parameters of modified Cam clay come to, and those of it that
-  /// another law does not have, or that it does not have.
+  /// What the parameters of modified Cam clay come to.
   void
   warn_of_cam_clay(const MaterialParameters &material,
                    const unsigned int        dim,

@@ -183,20 +183,10 @@ namespace Waker
       const auto c   = plain_number(p.cohesion),
                  phi = plain_number(p.friction_angle),
                  psi = plain_number(p.dilatancy_angle);
-      // Points at a free surface have no pressure that would give them
-      // strength.
       if (c)
-        ranges.check(
-          path + "Cohesion",
-          *c,
-          0.1,
-          200.,
-          " kPa",
-          "slopes of less shed their skin, or slide, far below their "
-          "angle; soils have");
-      if (phi && *phi != 0.)
-        ranges.check(
-          path + "Friction angle", *phi, 10., 50., " degrees", "soils have");
+        check_cohesion(path, *c, ranges);
+      if (phi)
+        check_friction_angle(path, *phi, ranges);
       if (psi)
         ranges.check(
           path + "Dilatancy angle", *psi, 0., 20., " degrees", "soils have");
@@ -223,6 +213,39 @@ namespace Waker
       if (const auto psi = plain_number(p.dilatancy_angle))
         ranges.check(
           path + "Dilatancy angle", *psi, 0., 20., " degrees", "soils have");
+    }
+
+
+    /// Undrained soil that grows weaker with stress.
+    void
+    check_strength_table(const std::string                 &path,
+                         const UndrainedStrengthParameters &strength,
+                         std::vector<std::string>          &warnings)
+    {
+      const auto list = strength.entries(path);
+      for (std::size_t i = 1; i < list.size(); ++i)
+        if (list[i].second < list[i - 1].second)
+          {
+            std::ostringstream text;
+            text << path << "Strength table falls from " << list[i - 1].second
+                 << " to " << list[i].second << " kPa as the stress grows from "
+                 << list[i - 1].first << " to " << list[i].first
+                 << " kPa; soils have strengths that grow by 0.15 to 0.6 kPa "
+                    "per kPa, or stay";
+            warnings.push_back(text.str());
+          }
+    }
+
+
+    /// Springs of boundary conditions.
+    void
+    check_penalties(const Parameters &p, Ranges &ranges)
+    {
+      for (const FixityParameters &condition : p.fixities)
+        if (condition.method == FixityMethod::penalty)
+          check_penalty_factor("Boundary conditions/" + condition.name + "/",
+                               condition.penalty_factor,
+                               ranges);
     }
 
 
@@ -289,6 +312,11 @@ namespace Waker
     for (const MaterialParameters &material : p.materials)
       {
         check_material(material, ranges);
+        if (material.model == MaterialModel::von_mises_softening &&
+            material.von_mises.strength.from == StrengthFrom::table)
+          check_strength_table("Materials/" + material.name + "/",
+                               material.von_mises.strength,
+                               warnings);
         warn_of_cam_clay(material, p.dimension, warnings);
         check_softening(material,
                         p.grid,
@@ -321,6 +349,7 @@ namespace Waker
       warnings.push_back("Material points/Points per direction is 1: stresses "
                          "will be coarse; 2 is usual");
 
+    check_penalties(p, ranges);
     warn_of_unused(p, warnings);
     warn_of_friction(p, warnings);
     check_section(p, warnings);

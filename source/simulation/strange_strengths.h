@@ -9,7 +9,8 @@
 
 namespace Waker
 {
-  /// Strengths that are expressions: the least and the largest of the points.
+  /// Of the points: strengths that are expressions, the least and the largest;
+  /// what softening leaves; a cut-off that has no effect; stress at rest.
   template <int dim>
   void
   check_strengths_of_points(const Case<dim>          &the_case,

@@ -4,6 +4,7 @@
 #include <waker/base/text.h>
 #include <waker/mechanics/time_scheme.h>
 
+#include "unused_of_laws.h"
 #include <algorithm>
 
 namespace Waker
@@ -38,6 +39,10 @@ namespace Waker
       warn_unused(is_nonlocal && m.softening_length != 0.,
                   path + "Softening length",
                   choice,
+                  warnings);
+      warn_unused(!is_nonlocal && m.softening_length != 0. && !m.softens(),
+                  path + "Softening length",
+                  "soil that does not soften",
                   warnings);
       warn_unused(!is_nonlocal && m.nonlocal.length != usual.length,
                   path + "Averaging length",
@@ -131,49 +136,22 @@ namespace Waker
                   "Water/Unit weight",
                   "Side = none",
                   warnings);
+    warn_unused(!p.water.stands() && tidy(p.water.rise) != dry.rise,
+                "Water/Rise",
+                "Side = none",
+                warnings);
+    for (const FixityParameters &condition : p.fixities)
+      warn_unused(condition.method == FixityMethod::elimination &&
+                    condition.penalty_factor !=
+                      FixityParameters().penalty_factor,
+                  "Boundary conditions/" + condition.name + "/Penalty factor",
+                  std::string("Method = ") + name_of(condition.method),
+                  warnings);
     warn_of_unused_lines(p, warnings);
     for (const MaterialParameters &m : p.materials)
       warn_of_unused_regularisation(m, warnings);
     for (const MaterialParameters &m : p.materials)
-      {
-        const std::string  path = "Materials/" + m.name + "/";
-        const StrengthFrom from = m.von_mises.strength.from;
-        const std::string  choice =
-          std::string("Strength from = ") + name_of(from);
-        if (m.model != MaterialModel::mohr_coulomb)
-          warn_unused(m.mohr_coulomb.has_table(),
-                      path + "Shear strength table",
-                      std::string("Model = ") + name_of(m.model),
-                      warnings);
-        else if (m.mohr_coulomb.has_table())
-          {
-            const MohrCoulombParameters usual;
-            warn_unused(m.mohr_coulomb.cohesion != usual.cohesion,
-                        path + "Cohesion",
-                        "Shear strength table",
-                        warnings);
-            warn_unused(m.mohr_coulomb.friction_angle != usual.friction_angle,
-                        path + "Friction angle",
-                        "Shear strength table",
-                        warnings);
-          }
-        if (m.model != MaterialModel::von_mises_softening)
-          {
-            warn_unused(from != StrengthFrom::place,
-                        path + "Strength from",
-                        std::string("Model = ") + name_of(m.model),
-                        warnings);
-            continue;
-          }
-        for (const std::string &name : m.von_mises.strength.unused())
-          warn_unused(true, path + name, choice, warnings);
-        warn_unused(from != StrengthFrom::place &&
-                      m.von_mises.initial_strength !=
-                        VonMisesSofteningParameters().initial_strength,
-                    path + "Initial strength",
-                    choice,
-                    warnings);
-      }
+      warn_of_unused_of_law(m, warnings);
     for (const MaterialParameters &m : p.materials)
       warn_unused(!p.pore_water.is_there() && !tidy(m.below_line).empty(),
                   "Materials/" + m.name + "/Below the line",

@@ -70,6 +70,7 @@ namespace Waker
       {
         const std::string path  = "Walls/" + wall.name + "/";
         const bool        given = wall.friction() > 0. || wall.adhesion > 0.;
+        check_penalty_factor(path, wall.penalty_factor, ranges);
         if (wall.type != WallType::frictional)
           {
             if (given)

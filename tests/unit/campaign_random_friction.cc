@@ -4,6 +4,7 @@
 
 #include "campaign_random_dyke.h"
 #include "user_errors.h"
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -76,6 +77,86 @@ namespace campaign_random_friction
                   0.25 * drawn.values("cohesion")[q],
                   1e-12);
     EXPECT_EQ(range(drawn.values("friction angle")), std::make_pair(30., 30.));
+  }
+
+
+  TEST(RandomProperties, a_mean_that_the_law_cannot_start_with)
+  {
+    const std::string mean = "Random fields/strength/Mean";
+    // The dilatancy angle may come up to the friction angle, no further.
+    const std::string psi = field + "Property=dilatancy angle";
+    EXPECT_NO_THROW(Drawn(*sand({psi, mean + "=30"})));
+    EXPECT_USER_ERROR(Drawn(*sand({psi, mean + "=31"})),
+                      mean,
+                      "dilatancy angle 31 degrees at (");
+    EXPECT_USER_ERROR(Drawn(*sand({psi, mean + "=25 + 0.5*x"})),
+                      mean,
+                      "dilatancy angle");
+    // Nor may the friction angle come down to less than it.
+    EXPECT_NO_THROW(
+      Drawn(*sand({field + "Property=friction angle", mean + "=10"})));
+    EXPECT_USER_ERROR(Drawn(*sand(
+                        {field + "Property=friction angle", mean + "=9"})),
+                      mean,
+                      "dilatancy angle 10 degrees at (");
+    // What is left after softening.
+    EXPECT_USER_ERROR(Drawn(*sand(
+                        {field + "Property=residual cohesion", mean + "=8.5"})),
+                      mean,
+                      "residual cohesion 8.5 kPa");
+    EXPECT_USER_ERROR(Drawn(*sand({field + "Property=residual dilatancy angle",
+                                   mean + "=25"})),
+                      mean,
+                      "residual dilatancy angle 25 degrees");
+    EXPECT_USER_ERROR(Drawn(*coarse(
+                        {field + "Property=residual strength", mean + "=14"})),
+                      mean,
+                      "14 kPa");
+  }
+
+
+  TEST(RandomProperties, angles_that_the_law_cuts_off_are_counted)
+  {
+    const Drawn                drawn(*sand({field + "Property=dilatancy angle",
+                                            field + "Mean=28",
+                                            field + "Coefficient of variation=0.1"}));
+    const std::vector<double> &psi = drawn.values("dilatancy angle");
+    const std::size_t          n =
+      std::count_if(psi.begin(), psi.end(), [](const double angle) {
+        return angle > 30.;
+      });
+    ASSERT_GT(n, 0u);
+    const auto lines = drawn.properties.cut_off(drawn.state);
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_EQ(lines[0].find("Random fields: at " + std::to_string(n) + " of " +
+                            std::to_string(psi.size()) +
+                            " points of the material \"clay\" the dilatancy "
+                            "angle counts as"),
+              0u)
+      << lines[0];
+    // The control: far below the friction angle none is.
+    const Drawn low(*sand({field + "Property=dilatancy angle",
+                           field + "Mean=10",
+                           field + "Coefficient of variation=0.1"}));
+    EXPECT_TRUE(low.properties.cut_off(low.state).empty());
+  }
+
+
+  TEST(RandomProperties, a_spread_that_no_soil_has_is_told)
+  {
+    const auto told = [](const std::string &variation) {
+      const Drawn drawn(
+        *sand({field + "Property=cohesion",
+               field + "Distribution=lognormal",
+               field + "Coefficient of variation=" + variation}));
+      std::string all;
+      for (const std::string &text : drawn.properties.warnings())
+        all += text + "\n";
+      return all.find("a coefficient of variation of " + variation +
+                      "; soils have 0.02 to 1") != std::string::npos;
+    };
+    EXPECT_TRUE(told("5"));
+    EXPECT_FALSE(told("0.9"));
   }
 
 

@@ -75,8 +75,9 @@ namespace campaign_random_layers
       ASSERT_EQ(drawn.values("undrained shear strength")[q],
                 drawn.the_case.initial_points.scalar(
                   "undrained shear strength")[q]);
-    EXPECT_TRUE(drawn.properties.cut_off().empty() ||
-                drawn.properties.cut_off()[0].find("/m:") != std::string::npos);
+    EXPECT_TRUE(drawn.properties.cut_off(drawn.state).empty() ||
+                drawn.properties.cut_off(drawn.state)[0].find("/m:") !=
+                  std::string::npos);
   }
 
 
@@ -279,10 +280,11 @@ namespace campaign_random_layers
             ASSERT_GE(drawn.values("POP")[q], 0.);
             n += drawn.values("POP")[q] == 0.;
           }
-        ASSERT_EQ(drawn.properties.cut_off().size(), n > 0 ? 1u : 0u);
+        ASSERT_EQ(drawn.properties.cut_off(drawn.state).size(),
+                  n > 0 ? 1u : 0u);
       }
     ASSERT_GT(n, 0u);
-    EXPECT_EQ(drawn.properties.cut_off()[0].find(
+    EXPECT_EQ(drawn.properties.cut_off(drawn.state)[0].find(
                 "Random fields/a: " + std::to_string(n) + " of 256 points"),
               0u);
     ASSERT_EQ(drawn.properties.warnings().size(), 1u);

@@ -258,8 +258,11 @@ namespace case_stages
       },
       stage,
       "in the daily stage Initial stress/From is K0");
-    // The peat's K0 is borne by its strength of usual days; less is not.
-    refused({"Materials/peat/K0=0.01"}, stage, "outside the yield surface");
+    // The peat's K0 is borne by its strength of usual days; less is not. K0 is
+    // named first, with the stage.
+    refused({"Materials/peat/K0=0.01"},
+            "Materials/peat/K0",
+            "outside the yield surface, in the daily stage");
     EXPECT_NO_THROW(dyke({level + "=none"})->check());
   }
 } // namespace case_stages

@@ -43,10 +43,10 @@ namespace Waker
       return value == minimum || value == maximum;
     }
 
-    /// Which cells' scores become values, and of what: the limits cut off more
-    /// than a hundredth of the distribution; empty: they do not.
-    std::string
-    warning() const;
+    /// What is likely not meant: the limits cut off more than a hundredth of
+    /// the distribution, or its spread is that of no soil.
+    std::vector<std::string>
+    warnings() const;
 
     /// A weight or a stiffness: can the case do with it?
     /// @throws UserError path + "/Property", path + "/Minimum"

@@ -80,9 +80,11 @@ namespace Waker
     summaries(const State<dim> &state) const;
 
     /// "Random fields/pop: 12 of 3400 points are cut off at a limit", of the
-    /// points that apply() has set last; a line per field with such points.
+    /// points of `state`, that apply() has set last; a line per field with such
+    /// points, and one for each property that its law cuts off, as a dilatancy
+    /// angle above the friction angle.
     std::vector<std::string>
-    cut_off() const;
+    cut_off(const State<dim> &state) const;
 
   private:
     /// The residual strength that goes along, and its ratio to the property of
@@ -100,6 +102,12 @@ namespace Waker
 
     void
     find_residuals();
+
+    /// @throws UserError "Random fields/<name>/Mean": with the means a point
+    /// has what its law cannot start with, as a dilatancy angle above the
+    /// friction angle
+    void
+    check_means() const;
 
     /// Of the fields, or their means.
     void

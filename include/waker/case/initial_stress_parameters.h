@@ -2,6 +2,8 @@
 #ifndef waker_case_initial_stress_parameters_h
 #define waker_case_initial_stress_parameters_h
 
+#include <waker/base/errors.h>
+
 #include <optional>
 #include <string>
 
@@ -94,6 +96,11 @@ namespace Waker
   /// the ground, without tractions, point loads and load programmes.
   Parameters
   daily_stage(const Parameters &parameters);
+
+  /// What the case as it stands on usual days is refused for, as the case is:
+  /// a soil keeps its place, the daily stage is named with it.
+  UserError
+  in_daily_stage(const UserError &error);
 
   /// What the section and the others ask of each other.
   /// @throws UserError

@@ -5,11 +5,43 @@
 #include <waker/case/ground.h>
 #include <waker/materials/factory.h>
 #include <waker/mechanics/stress_update.h>
+#include <waker/particles/place_expression.h>
 
 #include <vector>
 
 namespace Waker
 {
+  /// K0 at the points of a material at t = 0, by Materials/<name>/K0.
+  template <int dim>
+  class K0OfPoints
+  {
+  public:
+    /// @param points must outlive it
+    /// @throws UserError "Materials/<name>/K0"
+    K0OfPoints(const MaterialParameters  &parameters,
+               const Material            &law,
+               const Ground<dim>         &ground,
+               const MaterialPoints<dim> &points);
+
+    /// @param p number of a point of the material
+    /// @param place where it lies
+    double
+    value(const std::size_t p, const InGround &place) const;
+
+    /// Does it follow from a stress in the ground?
+    bool
+    follows_stress() const
+    {
+      return k0.asks_for_stress();
+    }
+
+  private:
+    const MaterialPoints<dim> *points;
+    std::vector<int>           known; // arrays of the variables it may name
+    PlaceExpression<dim>       k0;
+  };
+
+
   /**
    * The stress of ground at rest (Initial stress/From = K0): effective
    *   sigma'_yy = -sigma'_v,  sigma'_xx = sigma'_zz = -K0 sigma'_v,

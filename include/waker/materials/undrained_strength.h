@@ -98,6 +98,12 @@ namespace Waker
     std::string
     overconsolidation(const bool symbolic = false) const;
 
+    /// Of the table: stress and strength (kPa), ascending in stress.
+    /// @param path "Materials/<name>/"
+    /// @throws UserError path + "Strength table"
+    std::vector<std::pair<double, double>>
+    entries(const std::string &path) const;
+
     /// Parameters that are there, and have no part in the strength.
     std::vector<std::string>
     unused() const;
@@ -116,10 +122,6 @@ namespace Waker
     expression(const std::string &own,
                const std::string &path,
                const Written     &coefficients) const;
-
-    /// Stress and strength (kPa), ascending in stress.
-    std::vector<std::pair<double, double>>
-    entries(const std::string &path) const;
   };
 } // namespace Waker
 

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What points cannot have: of the means, and of what is drawn.
+#include <waker/base/errors.h>
+#include <waker/base/numbers.h>
+#include <waker/campaign/random_properties.h>
+
+#include <map>
+#include <sstream>
+
+namespace Waker
+{
+  template <int dim>
+  void
+  RandomProperties<dim>::check_means() const
+  {
+    using Kind                        = RandomProperty::Kind;
+    const MaterialPoints<dim> &points = the_case->initial_points;
+    for (unsigned int m = 0; m < the_case->materials.size(); ++m)
+      {
+        std::vector<std::size_t> fields_of; // numbers of the targets
+        bool                     has_coefficients = false;
+        for (std::size_t t = 0; t < targets.size(); ++t)
+          if (targets[t].material == m)
+            {
+              const Kind kind  = targets[t].moments.varied().kind;
+              has_coefficients = has_coefficients || kind == Kind::coefficient;
+              if (kind == Kind::variable)
+                fields_of.push_back(t);
+            }
+        // What follows from coefficients is looked at when it is drawn.
+        if (fields_of.empty() || has_coefficients)
+          continue;
+        const Material &law  = *the_case->materials[m];
+        const auto      list = law.variables();
+        // Where each variable comes from: a field, or the share of one.
+        std::vector<const FieldTarget<dim> *> field(list.size(), nullptr);
+        std::vector<const Residual *>         share(list.size(), nullptr);
+        for (const std::size_t t : fields_of)
+          field[targets[t].moments.varied().number] = &targets[t];
+        for (const Residual &residual : residuals)
+          for (std::size_t v = 0; v < list.size(); ++v)
+            if (targets[residual.target].material == m &&
+                list[v].name == residual.name)
+              {
+                field[v] = &targets[residual.target];
+                share[v] = &residual;
+              }
+        std::vector<double> values(list.size());
+        const auto         &of_material = targets[fields_of[0]].points;
+        for (std::size_t i = 0; i < of_material.size(); ++i)
+          {
+            for (std::size_t v = 0; v < list.size(); ++v)
+              values[v] = field[v] == nullptr
+                            ? points.scalar(list[v].name)[of_material[i]]
+                            : field[v]->mean[i] *
+                                (share[v] == nullptr ? 1. : share[v]->ratio[i]);
+            const auto problem = law.initial_problem(values);
+            if (!problem)
+              continue;
+            const unsigned int      v = problem->first;
+            const FieldTarget<dim> &from =
+              field[v] != nullptr ? *field[v] : targets[fields_of[0]];
+            std::ostringstream text;
+            text << "makes the " << list[v].name << " " << values[v] << " "
+                 << list[v].unit << " at ("
+                 << place_text(
+                      dim, coordinates(points.initial_position[of_material[i]]))
+                 << ")";
+            throw UserError(from.path + "/Mean", text.str(), problem->second);
+          }
+      }
+  }
+
+
+  template <int dim>
+  std::vector<std::string>
+  RandomProperties<dim>::cut_off(const State<dim> &state) const
+  {
+    using Role = MaterialVariable::Role;
+    std::vector<std::string> lines;
+    for (std::size_t t = 0; t < n_cut_off.size(); ++t)
+      if (n_cut_off[t] > 0)
+        lines.push_back(
+          targets[t].path + ": " + std::to_string(n_cut_off[t]) + " of " +
+          std::to_string(targets[t].points.size()) +
+          " points of the material "
+          "\"" +
+          the_case->parameters.materials[targets[t].material].name +
+          "\" are cut off at a limit");
+
+    // What a law takes no more of than it can do with.
+    std::map<unsigned int, const FieldTarget<dim> *> of_materials;
+    for (const FieldTarget<dim> &target : targets)
+      of_materials.emplace(target.material, &target);
+    for (const auto &[m, target] : of_materials)
+      {
+        const Material                          &law  = *the_case->materials[m];
+        const auto                               list = law.variables();
+        std::vector<const std::vector<double> *> arrays;
+        for (const MaterialVariable &variable : list)
+          arrays.push_back(
+            &state.points.scalars[state.points.find_scalar(variable.name)]
+               .values);
+        struct Beyond
+        {
+          std::size_t n = 0;
+          double      value; // of the first
+          std::string allowed;
+        };
+        std::map<unsigned int, Beyond> beyond; // by variable
+        std::vector<double>            values(list.size());
+        for (const std::size_t q : target->points)
+          {
+            for (std::size_t v = 0; v < list.size(); ++v)
+              values[v] = (*arrays[v])[q];
+            const auto problem = law.initial_problem(values);
+            if (!problem ||
+                (list[problem->first].role != Role::dilatancy &&
+                 list[problem->first].role != Role::residual_strength))
+              continue;
+            Beyond &b = beyond[problem->first];
+            if (b.n++ == 0)
+              {
+                b.value   = values[problem->first];
+                b.allowed = problem->second;
+              }
+          }
+        for (const auto &[v, b] : beyond)
+          {
+            std::ostringstream text;
+            text << "Random fields: at " << b.n << " of "
+                 << target->points.size() << " points of the material \""
+                 << the_case->parameters.materials[m].name << "\" the "
+                 << list[v].name << " counts as the most that its law takes: "
+                 << "at the first of them it is " << b.value << ", allowed "
+                 << b.allowed;
+            lines.push_back(text.str());
+          }
+      }
+    return lines;
+  }
+
+
+  template void
+  RandomProperties<2>::check_means() const;
+  template void
+  RandomProperties<3>::check_means() const;
+  template std::vector<std::string>
+  RandomProperties<2>::cut_off(const State<2> &) const;
+  template std::vector<std::string>
+  RandomProperties<3>::cut_off(const State<3> &) const;
+} // namespace Waker
