@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/exceptions.h>
+
 #include <waker/loads/nodal_support.h>
 
 #include <Eigen/Dense>
@@ -189,7 +191,7 @@ namespace Waker
   {
     constexpr double largest_weight = 2.;
 
-    Assert(reach >= support_reach, ExcInternalError());
+    Assert(reach >= support_reach, dealii::ExcInternalError());
     nodes.clear();
     std::array<int, dim> size;
     std::array<int, dim> centre;
