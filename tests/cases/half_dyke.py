@@ -22,7 +22,7 @@ def momentum(checks, rows):
     """P = int F dt: weight, water and reactions, under the ramp of one second."""
     time = rows["Time (s)"][1:]
     ramp = np.minimum(time, 1)
-    for axis, limit in (("x", 0.6), ("y", 0.8), ("z", 0.4)):
+    for axis, limit in (("x", 0.6), ("y", 0.8), ("z", 0.3)):
         force = rows[f"Reaction {axis} (kN)"][1:]
         if axis != "z":
             force = force + LENGTH * rows[f"Water force {axis} (kN)"][1:]
