@@ -9,19 +9,6 @@
 
 namespace Waker
 {
-  namespace
-  {
-    /// Where each rank's share of so many numbers begins.
-    std::vector<int>
-    begins_of(const std::vector<int> &n)
-    {
-      std::vector<int> begins(n.size(), 0);
-      std::partial_sum(n.begin(), n.end() - 1, begins.begin() + 1);
-      return begins;
-    }
-  } // namespace
-
-
   std::vector<int>
   OwnRows::places() const
   {

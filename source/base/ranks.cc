@@ -3,6 +3,7 @@
 #include <waker/base/ranks.h>
 
 #include <algorithm>
+#include <numeric>
 #include <string>
 
 namespace Waker
@@ -94,5 +95,14 @@ namespace Waker
                 MPI_DOUBLE,
                 0,
                 communicator);
+  }
+
+
+  std::vector<int>
+  begins_of(const std::vector<int> &n)
+  {
+    std::vector<int> begins(n.size() + 1, 0);
+    std::partial_sum(n.begin(), n.end(), begins.begin() + 1);
+    return begins;
   }
 } // namespace Waker

@@ -193,6 +193,21 @@ namespace Waker
 
 
   template <int dim>
+  typename BackgroundGrid<dim>::Index
+  BackgroundGrid<dim>::nearest_cell(const Point<dim> &x) const
+  {
+    Index index = cell_index(x);
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        const int last = static_cast<int>(n_whole_1d[d]) - 2;
+        index[d] =
+          std::clamp(index[d] + first_node[d], 0, last) - first_node[d];
+      }
+    return index;
+  }
+
+
+  template <int dim>
   bool
   BackgroundGrid<dim>::contains(const Point<dim> &x,
                                 const double      clearance) const

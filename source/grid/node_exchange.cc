@@ -278,9 +278,8 @@ namespace Waker
     const int        my_n = static_cast<int>(n_mine);
     std::vector<int> n(Utilities::MPI::n_mpi_processes(mpi_communicator));
     MPI_Allgather(&my_n, 1, MPI_INT, n.data(), 1, MPI_INT, mpi_communicator);
-    std::vector<int> begin(n.size() + 1, 0);
-    std::partial_sum(n.begin(), n.end(), begin.begin() + 1);
-    const MpiBytes value(size);
+    const std::vector<int> begin = begins_of(n);
+    const MpiBytes         value(size);
     MPI_Allgatherv(mine,
                    my_n,
                    value.type,

@@ -64,9 +64,7 @@ namespace Waker
 
     std::vector<IsotropicModuli> moduli;
     stress_update.isotropic_tangents(points, moduli);
-    FilledCells<dim> filled(motion.b_bar_cells());
-    if (motion.has_mean_dilatation())
-      filled.reinit(points, weights);
+    const FilledCells<dim> *const filled = motion.filled_cells();
 
     std::array<unsigned int, n_vertices> nodes;
     std::vector<double>                  matrix(n * n);
@@ -76,7 +74,7 @@ namespace Waker
         std::array<std::array<Part, 2>, dim> in_direction;
         for (unsigned int d = 0; d < dim; ++d)
           in_direction[d] = parts(w, d, h);
-        const double b = motion.has_mean_dilatation() ? filled[p] : 0.;
+        const double b = filled != nullptr ? (*filled)[p] : 0.;
         for (unsigned int cell = 0; cell < n_vertices; ++cell)
           {
             std::array<const Part *, dim> part;

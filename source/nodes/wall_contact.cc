@@ -33,7 +33,7 @@ namespace Waker
       {
         Spot      &spot  = spots[q];
         const auto begin = nodes.size();
-        if (!is_own(spot.position) ||
+        if (!grid->owns_cell(grid->nearest_cell(spot.position)) ||
             !find_nodes(spot, node_mass, tractions[q]))
           {
             spot.touches = false;
@@ -79,34 +79,6 @@ namespace Waker
         for (unsigned int d = 0; d < dim; ++d)
           tractions[q][d] = of_spot[1 + d];
       }
-  }
-
-
-  template <int dim>
-  typename BackgroundGrid<dim>::Index
-  Walls<dim>::cell_of(const Point<dim> &x) const
-  {
-    auto cell = grid->cell_index(x);
-    for (unsigned int d = 0; d < dim; ++d)
-      {
-        const int first = grid->offset()[d];
-        const int last  = grid->lattice_nodes_per_direction()[d] - 2;
-        cell[d]         = std::clamp(cell[d] + first, 0, last) - first;
-      }
-    return cell;
-  }
-
-
-  template <int dim>
-  bool
-  Walls<dim>::is_own(const Point<dim> &x) const
-  {
-    const auto cell = cell_of(x);
-    for (unsigned int d = 0; d < dim; ++d)
-      if (cell[d] < 0 ||
-          cell[d] + 1 >= static_cast<int>(grid->n_nodes_per_direction()[d]))
-        return false;
-    return ranks->owns(grid->node(cell));
   }
 
 
@@ -199,7 +171,7 @@ namespace Waker
     constexpr double       smallest_weight = 1e-14; // round-off
     if (!grid->contains(spot.position))
       return false;
-    const auto cell = cell_of(spot.position);
+    const auto cell = grid->nearest_cell(spot.position);
     double     local[dim];
     for (unsigned int d = 0; d < dim; ++d)
       local[d] = (spot.position[d] - grid->lattice_origin()[d]) *

@@ -10,20 +10,6 @@ namespace Waker
 {
   namespace
   {
-    /// Does this rank's window know the cell's lower corner?
-    template <int dim>
-    bool
-    is_here(const BackgroundGrid<dim>                 &grid,
-            const typename BackgroundGrid<dim>::Index &cell)
-    {
-      for (unsigned int d = 0; d < dim; ++d)
-        if (cell[d] < 0 ||
-            cell[d] >= static_cast<int>(grid.n_nodes_per_direction()[d]))
-          return false;
-      return true;
-    }
-
-
     /// Call f(lower corner) for a cell and those next to it.
     template <int dim, typename Function>
     void
@@ -128,8 +114,8 @@ namespace Waker
     order.clear();
     std::vector<std::pair<unsigned int, unsigned int>> cells; // and places
     for (unsigned int q = 0; q < positions.size(); ++q)
-      if (const auto cell = grid->cell_index(positions[q]);
-          grid->contains(positions[q]) && is_here(*grid, cell))
+      if (const auto cell = grid->nearest_cell(positions[q]);
+          grid->contains(positions[q]) && grid->has_cell(cell))
         {
           cells.emplace_back(grid->node(cell), q);
           for_cells_around(*grid, cell, [&](const unsigned int other) {
@@ -157,8 +143,8 @@ namespace Waker
     for (std::size_t p = 0; p < points.n_points(); ++p)
       {
         const Point<dim> &x    = points.position[p];
-        const auto        cell = grid->cell_index(x);
-        if (!grid->contains(x) || !is_here(*grid, cell))
+        const auto        cell = grid->nearest_cell(x);
+        if (!grid->contains(x) || !grid->has_cell(cell))
           continue;
         if (!is_near[grid->node(cell)])
           continue;

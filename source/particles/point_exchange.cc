@@ -95,15 +95,6 @@ namespace Waker
                                return sum + array.size;
                              });
     }
-
-
-    std::vector<int>
-    offsets(const std::vector<int> &n)
-    {
-      std::vector<int> result(n.size() + 1, 0);
-      std::partial_sum(n.begin(), n.end(), result.begin() + 1);
-      return result;
-    }
   } // namespace
 
 
@@ -165,9 +156,10 @@ namespace Waker
     std::vector<Bytes> arrays = bytes_of_points(points, used);
     arrays.push_back(bytes_of(places));
     const std::size_t      size      = bytes_per_point(arrays);
-    const std::vector<int> begin_out = offsets(n_out), begin_in = offsets(n_in);
-    std::vector<char>      to_send(size * begin_out.back());
-    std::vector<char>      received(size * begin_in.back());
+    const std::vector<int> begin_out = begins_of(n_out),
+                           begin_in  = begins_of(n_in);
+    std::vector<char> to_send(size * begin_out.back());
+    std::vector<char> received(size * begin_in.back());
 
     // Of each leaving point all arrays; those that stay close the gaps.
     std::vector<int> next = begin_out;
@@ -242,7 +234,7 @@ namespace Waker
     const int        my_n = points.n_points();
     std::vector<int> all_n(n_ranks);
     MPI_Allgather(&my_n, 1, MPI_INT, all_n.data(), 1, MPI_INT, communicator);
-    const std::vector<int>     begin = offsets(all_n);
+    const std::vector<int>     begin = begins_of(all_n);
     std::vector<std::uint32_t> there(begin.back());
     MPI_Allgatherv(places.data(),
                    my_n,
@@ -260,7 +252,7 @@ namespace Waker
         const std::size_t size = to[k].size;
         const MpiBytes    value(size);
         received.resize(size * there.size());
-        if (!names.empty()) // else it is for files: not what steps send
+        if (!names.empty()) // else it is for a checkpoint, or the end
           {
             ++sent.reductions;
             sent.bytes += size * points.n_points();
@@ -283,15 +275,9 @@ namespace Waker
 
   template <int dim>
   void
-  PointExchange<dim>::gather_places(MaterialPoints<dim>            &whole,
-                                    const std::vector<std::string> &more) const
+  PointExchange<dim>::gather_places(MaterialPoints<dim> &whole) const
   {
-    std::vector<std::string> names = {"position",
-                                      "velocity",
-                                      "half_size",
-                                      "volume"};
-    names.insert(names.end(), more.begin(), more.end());
-    gather(whole, names);
+    gather(whole, {"position", "velocity", "half_size", "volume"});
   }
 
 

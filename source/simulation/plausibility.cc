@@ -7,6 +7,7 @@
 #include <waker/simulation/plausibility.h>
 
 #include "prismatic_warnings.h"
+#include "strange_b_bar.h"
 #include "strange_cam_clay.h"
 #include "strange_pore_water.h"
 #include "strange_strengths.h"
@@ -195,6 +196,7 @@ namespace Waker
     const double             h        = the_case.grid.cell_size();
     check_strengths_of_points(the_case, warnings);
     check_line(the_case, warnings);
+    warn_of_b_bar(the_case, warnings);
     warn_of_soil_in_water(the_case, warnings);
     warn_of_consolidation(the_case, warnings);
     warn_of_uplift_to_come(the_case, warnings);

@@ -219,10 +219,14 @@ namespace Waker
   Wanted
   Realisation<dim>::wanted_by_any(const Wanted &mine) const
   {
-    // Nothing, at most times.
-    if (!part || !any(mine.files || mine.places || mine.nodes || mine.all))
+    if (!part)
       return mine;
-    return {any(mine.files), any(mine.places), any(mine.nodes), any(mine.all)};
+    double any[4] = {double(mine.files),
+                     double(mine.places),
+                     double(mine.nodes),
+                     double(mine.all)};
+    part->grid->exchange().largest(any, 4);
+    return {any[0] > 0., any[1] > 0., any[2] > 0., any[3] > 0.};
   }
 
 

@@ -174,8 +174,7 @@ namespace Waker
         return;
       const bool is_first = Utilities::MPI::this_mpi_process(communicator) == 0;
       const std::string bytes =
-        Utilities::MPI::broadcast(communicator,
-                                  is_first ? state.write() : std::string());
+        shared(is_first ? state.write() : std::string(), communicator);
       if (!is_first)
         state.read(bytes);
     }

@@ -2,7 +2,7 @@
 #ifndef waker_source_simulation_strange_b_bar_h
 #define waker_source_simulation_strange_b_bar_h
 
-#include <waker/case/parameters.h>
+#include <waker/case/case.h>
 
 #include <string>
 #include <vector>
@@ -10,8 +10,9 @@
 namespace Waker
 {
   /// Warnings of B-bar in all cells, where B-bar would not need any.
+  template <int dim>
   void
-  strange_b_bar(const Parameters &p, std::vector<std::string> &warnings);
+  warn_of_b_bar(const Case<dim> &the_case, std::vector<std::string> &warnings);
 } // namespace Waker
 
 #endif

@@ -10,7 +10,6 @@
 
 #include "plausible_ranges.h"
 #include "storm_warnings.h"
-#include "strange_b_bar.h"
 #include "strange_cam_clay.h"
 #include "strange_pore_water.h"
 #include "strange_softening.h"
@@ -354,7 +353,6 @@ namespace Waker
     warn_of_friction(p, warnings);
     check_section(p, warnings);
     check_water(p, warnings);
-    strange_b_bar(p, warnings);
     check_liquids(p, warnings);
     warn_of_pore_water(p, warnings);
     for (const std::string &text : storm_warnings(p))

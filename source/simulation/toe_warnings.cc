@@ -139,10 +139,12 @@ namespace Waker
     for (double z = begin; z < end - 1e-6 * h; z += h)
       if (const auto toe = find_toe(the_case, level, z))
         {
+          if (!(toe->fill < calm_fill))
+            continue;
           const double own = strength_at(the_case.initial_points, toe->middle);
           const double now =
             p.water.unit_weight * (level - toe->middle[1]) / own;
-          if (!(toe->fill < calm_fill && now > times))
+          if (!(now > times))
             continue;
           times    = now;
           strength = own;

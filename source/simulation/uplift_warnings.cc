@@ -66,7 +66,7 @@ namespace Waker
         return level.at(t);
       }
 
-      /// Where it has a peak or a corner before `end` (s).
+      /// Times of its peaks and corners, wherever they lie (s).
       std::vector<double>
       peaks(const Parameters &p) const
       {

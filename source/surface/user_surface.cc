@@ -282,18 +282,8 @@ namespace Waker
     std::vector<Tensor<1, dim>> motions(vertices.size());
     for (std::size_t k = 0; k < vertices.size(); ++k)
       {
-        // Of the whole grid, then of the window.
-        auto cell    = grid.cell_index(vertices[k]);
-        bool is_here = true;
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            const int first = grid.offset()[d];
-            const int last  = grid.lattice_nodes_per_direction()[d] - 2;
-            const int n     = grid.n_nodes_per_direction()[d];
-            cell[d]         = std::clamp(cell[d] + first, 0, last) - first;
-            is_here         = is_here && cell[d] >= 0 && cell[d] + 1 < n;
-          }
-        if (is_here && grid.exchange().owns(grid.node(cell)))
+        const auto cell = grid.nearest_cell(vertices[k]);
+        if (grid.owns_cell(cell))
           motions[k] =
             motion_at(grid, cell, vertices[k], mass, increment.begin());
       }

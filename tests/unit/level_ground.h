@@ -2,6 +2,7 @@
 #ifndef waker_tests_level_ground_h
 #define waker_tests_level_ground_h
 
+#include <algorithm>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <sstream>
@@ -28,6 +29,26 @@ namespace LevelGround
     std::string        more;                         // sections after these
     double             cell_size = 0.5, bottom = 0.; // of the grid, m
   };
+
+  /// Settings "path=value", of which new ones replace those of the same path.
+  inline std::vector<std::string>
+  with(std::vector<std::string>        settings,
+       const std::vector<std::string> &new_ones)
+  {
+    for (const std::string &setting : new_ones)
+      {
+        const std::string path = setting.substr(0, setting.find('=') + 1);
+        settings.erase(std::remove_if(settings.begin(),
+                                      settings.end(),
+                                      [&](const std::string &other) {
+                                        return other.rfind(path, 0) == 0;
+                                      }),
+                       settings.end());
+        settings.push_back(setting);
+      }
+    return settings;
+  }
+
 
   inline std::string
   text_of(const Ground &ground)

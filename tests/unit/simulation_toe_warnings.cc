@@ -50,26 +50,13 @@ end
       const auto        x    = [&](const double at) {
         return std::to_string(at - 0.5 * shift);
       };
-      std::vector<std::string> settings = {"Grid/Lower corner=" + x(0.) + ", 0",
-                                           "Grid/Upper corner=" + x(23.) +
-                                             ", 4",
-                                           "Soil profile/bank/Polygon=6, 0; " +
-                                             x(23.) + ", 0; " + x(23.) +
-                                             ", 3; 15, 3"};
-      for (const std::string &setting : more)
-        {
-          const std::string name = setting.substr(0, setting.find('=') + 1);
-          settings.erase(std::remove_if(settings.begin(),
-                                        settings.end(),
-                                        [&](const std::string &other) {
-                                          return other.compare(0,
-                                                               name.size(),
-                                                               name) == 0;
-                                        }),
-                         settings.end());
-          settings.push_back(setting);
-        }
-      return read_parameters(LevelGround::written(text), settings);
+      const std::vector<std::string> settings = {
+        "Grid/Lower corner=" + x(0.) + ", 0",
+        "Grid/Upper corner=" + x(23.) + ", 4",
+        "Soil profile/bank/Polygon=6, 0; " + x(23.) + ", 0; " + x(23.) +
+          ", 3; 15, 3"};
+      return read_parameters(LevelGround::written(text),
+                             LevelGround::with(settings, more));
     }
 
 

@@ -13,7 +13,7 @@ namespace simulation_uplift_warnings
     std::string
     warnings_of(const std::vector<std::string> &more)
     {
-      std::vector<std::string> settings = {
+      const std::vector<std::string> settings = {
         "Water/Side=left",
         "Water/Level=2",
         "Water/Minimum support=0",
@@ -21,20 +21,7 @@ namespace simulation_uplift_warnings
         "Time stepping/End time=20",
         "Head lines/deep/Line=",
         "Head lines/deep/Lines by level=2: 0, 3; 3, 3 | 4: 0, 7; 3, 7"};
-      for (const std::string &setting : more)
-        {
-          const std::string name = setting.substr(0, setting.find('=') + 1);
-          settings.erase(std::remove_if(settings.begin(),
-                                        settings.end(),
-                                        [&](const std::string &other) {
-                                          return other.compare(0,
-                                                               name.size(),
-                                                               name) == 0;
-                                        }),
-                         settings.end());
-          settings.push_back(setting);
-        }
-      return all_warnings(settings);
+      return all_warnings(LevelGround::with(settings, more));
     }
 
 

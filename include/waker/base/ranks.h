@@ -55,6 +55,11 @@ namespace Waker
   std::string
   shared(const std::string &text, const MPI_Comm communicator);
 
+  /// Where the share of each of several ranks begins, if they have so many; and
+  /// the end of the last one.
+  std::vector<int>
+  begins_of(const std::vector<int> &n);
+
   /// The first rank's numbers, of which each rank has room for as many.
   /// Collective.
   void

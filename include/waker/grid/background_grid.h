@@ -184,6 +184,27 @@ namespace Waker
     Index
     cell_index(const Point<dim> &x) const;
 
+    /// The same, of the whole grid's nearest cell if x is off it.
+    Index
+    nearest_cell(const Point<dim> &x) const;
+
+    /// Is the cell, with all its nodes, in this window?
+    bool
+    has_cell(const Index &cell) const
+    {
+      for (unsigned int d = 0; d < dim; ++d)
+        if (cell[d] < 0 || cell[d] + 1 >= static_cast<int>(n_nodes_1d[d]))
+          return false;
+      return true;
+    }
+
+    /// Is it this rank's own?
+    bool
+    owns_cell(const Index &cell) const
+    {
+      return has_cell(cell) && node_exchange->owns(node(cell));
+    }
+
     /// Is x, with `clearance` (m) on all sides, inside grid and margin? In a
     /// window: inside the whole grid and its margin.
     bool

@@ -228,14 +228,6 @@ namespace Waker
     Tensor<1, dim>
     displacement(const Wall &wall, const double t) const;
 
-    /// The cell of the grid that a spot is in, or next to.
-    typename BackgroundGrid<dim>::Index
-    cell_of(const Point<dim> &x) const;
-
-    /// Is that one of this rank's?
-    bool
-    is_own(const Point<dim> &x) const;
-
     /// What each rank has found of its own spots is told to all.
     void
     share_contacts(Tractions &tractions);

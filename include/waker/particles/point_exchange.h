@@ -54,10 +54,8 @@ namespace Waker
 
     /// What steps change of the places of points: position, velocity, domain,
     /// volume.
-    /// @param more other arrays, by their names (for_each_array())
     void
-    gather_places(MaterialPoints<dim>            &whole,
-                  const std::vector<std::string> &more = {}) const;
+    gather_places(MaterialPoints<dim> &whole) const;
 
     /// All of their arrays.
     void
