@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/base/places.h>
 #include <waker/campaign/dependent_properties.h>
 
 #include <algorithm>
@@ -178,9 +179,9 @@ namespace Waker
               {
                 if (!std::isfinite(values[v]))
                   throw NumericalFailure(
-                    "Random fields: the " + soil.variables[v] + " at (" +
-                    place_text(dim, coordinates(x)) +
-                    ") is not finite, where the vertical stress is " +
+                    "Random fields: the " + soil.variables[v] + " at " +
+                    place_text(x) +
+                    " is not finite, where the vertical stress is " +
                     std::to_string(place.vertical_stress) + " kPa" +
                     the_case->ground.why_uplifted(x,
                                                   the_case->layers_of_points[q],

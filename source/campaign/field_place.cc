@@ -50,16 +50,6 @@ namespace Waker
   } // namespace
 
 
-  std::string
-  place_text(const unsigned int dim, const std::array<double, 3> &x)
-  {
-    std::ostringstream text;
-    for (unsigned int d = 0; d < dim; ++d)
-      text << (d > 0 ? ", " : "") << x[d];
-    return text.str();
-  }
-
-
   template <int dim>
   FieldPlace<dim>::FieldPlace(const Case<dim> &the_case)
     : the_case(&the_case)

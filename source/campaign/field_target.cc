@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
 #include <waker/base/numbers.h>
+#include <waker/base/places.h>
 #include <waker/campaign/field_target.h>
 #include <waker/mechanics/time_scheme.h>
 
@@ -58,8 +59,8 @@ namespace Waker
             problem = "is " + std::to_string(m);
           else if (!std::isfinite(deviation) || !(deviation >= 0.))
             throw UserError(path + "/Standard deviation",
-                            "is " + std::to_string(deviation) + " at (" +
-                              place_text(dim, coordinates(x)) + ")",
+                            "is " + std::to_string(deviation) + " at " +
+                              place_text(x),
                             "a finite number of at least 0");
           else if (!(m >= minimum && m <= maximum))
             problem = "is " + std::to_string(m) + ", beyond the limits " +
@@ -69,8 +70,7 @@ namespace Waker
             problem = marginal.problem(m, deviation);
           if (!problem.empty())
             throw UserError(path + "/Mean",
-                            problem + " at (" +
-                              place_text(dim, coordinates(x)) + ")",
+                            problem + " at " + place_text(x),
                             "a mean that fits distribution and limits, above "
                             "0 (0 or more but of an undrained shear strength, "
                             "a strength ratio, a unit weight and a Young's "
@@ -203,8 +203,7 @@ namespace Waker
   {
     const std::string  where = path + "/Measurements";
     std::ostringstream what;
-    what << "has the value " << value << " at ("
-         << place_text(dim, coordinates(x)) << ")";
+    what << "has the value " << value << " at " << place_text(x);
     if (at.target == nullptr)
       throw UserError(where,
                       what.str() + ", where the field has no points",

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What points cannot have: of the means, and of what is drawn.
 #include <waker/base/errors.h>
-#include <waker/base/numbers.h>
+#include <waker/base/places.h>
 #include <waker/campaign/random_properties.h>
 
 #include <map>
@@ -62,10 +62,8 @@ namespace Waker
               field[v] != nullptr ? *field[v] : targets[fields_of[0]];
             std::ostringstream text;
             text << "makes the " << list[v].name << " " << values[v] << " "
-                 << list[v].unit << " at ("
-                 << place_text(
-                      dim, coordinates(points.initial_position[of_material[i]]))
-                 << ")";
+                 << list[v].unit << " at "
+                 << place_text(points.initial_position[of_material[i]]);
             throw UserError(from.path + "/Mean", text.str(), problem->second);
           }
       }

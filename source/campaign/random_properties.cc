@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
+#include <waker/base/places.h>
 #include <waker/base/random_numbers.h>
 #include <waker/base/ranks.h>
 #include <waker/base/sizes.h>
@@ -263,10 +264,9 @@ namespace Waker
                 values[q]           = value(target, i, is_random);
                 if (!std::isfinite(values[q]))
                   throw NumericalFailure(
-                    target.path + ": the " + property.name + " at (" +
-                    place_text(dim,
-                               coordinates(state.points.initial_position[q])) +
-                    ") is not finite");
+                    target.path + ": the " + property.name + " at " +
+                    place_text(state.points.initial_position[q]) +
+                    " is not finite");
                 n_cut_off[t] += target.is_cut_off(values[q]);
               }
           }

@@ -42,6 +42,7 @@ namespace campaign_cam_clay
                           "Random fields/b/Material=clay",
                           "Random fields/b/Property=friction angle",
                           "Random fields/b/Coefficient of variation=0.1"}));
+    ASSERT_FALSE(ocr.points_of(1).empty());
     for (const std::size_t q : ocr.points_of(1))
       {
         const double y = ocr.state.points.initial_position[q][1];

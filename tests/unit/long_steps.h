@@ -9,6 +9,7 @@
 #include <waker/simulation/run_to_end.h>
 
 #include "campaign_random_dyke.h"
+#include "level_ground.h"
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -18,23 +19,7 @@ namespace LongStepsOfADyke
 {
   using namespace Waker;
 
-  /// The same with what is in `more` instead.
-  inline std::vector<std::string>
-  with(std::vector<std::string> given, const std::vector<std::string> &more)
-  {
-    for (const std::string &setting : more)
-      {
-        const std::string name = setting.substr(0, setting.find('=') + 1);
-        given.erase(std::remove_if(given.begin(),
-                                   given.end(),
-                                   [&](const std::string &old) {
-                                     return old.rfind(name, 0) == 0;
-                                   }),
-                    given.end());
-        given.push_back(setting);
-      }
-    return given;
-  }
+  using LevelGround::with;
 
 
   /// The coarse dyke, elastic but for its strength (kPa), in water that is at

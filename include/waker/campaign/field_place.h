@@ -28,11 +28,6 @@ namespace Waker
   field_coordinates(const Case<dim> &the_case, const Point<dim> &x);
 
 
-  /// "3.5, 2".
-  std::string
-  place_text(const unsigned int dim, const std::array<double, 3> &x);
-
-
   /**
    * Where the points of a case are in its random fields. Those of a section are
    * part of the fields of the case in space, in the layer of cells that begins
