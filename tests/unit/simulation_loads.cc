@@ -182,7 +182,7 @@ namespace simulation_loads
 
   // A detected surface may lie in cells without material: what it puts on their
   // nodes must not stop the solver of the static step.
-  TEST(Simulation, gravity_step_in_three_dimensions_under_a_detected_surface)
+  TEST(Long, simulation_gravity_step_in_space_under_a_detected_surface)
   {
     Parameters p;
     p.dimension         = 3;
