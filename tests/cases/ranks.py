@@ -8,10 +8,11 @@ changes on one rank.
 usage: ranks.py WAKER SOURCE_DIRECTORY [UNIT_TESTS] [CASE...]
 
 Also: a run that is killed again and again and goes on on another number of ranks;
-one that ends by SIGTERM; files that ranks write together, and that cannot be written;
+one that ends by SIGTERM; one that fails in a step; files that ranks write together, and that cannot be written;
 the unit tests of partition and exchange on three ranks.
 """
 import glob
+import json
 import os
 import signal
 import subprocess
@@ -335,6 +336,28 @@ def full_disk(waker, source):
     return good and any("cannot be written" in line for line in ends[1][1])
 
 
+def fails_alike(waker, source):
+    """Soil that flies off the grid, which one rank alone sees, inside a step."""
+    ends = {}
+    with tempfile.TemporaryDirectory() as work:
+        for n in (1, 3):
+            folder = os.path.join(work, str(n))
+            done = call([waker, "run",
+                         os.path.join(source, "parameters", "verification",
+                                      "flying_block.prm"),
+                         "--set", "Time stepping/End time=20",
+                         "--set", "Output/Directory=" + folder], n)
+            with open(os.path.join(folder, "summary.json")) as file:
+                summary = json.load(file)
+            ends[n] = (done.returncode, summary["outcome"], summary["steps"],
+                       # Several have left: of which each rank sees its own.
+                       "left the background grid" in summary["stop_reason"])
+    print("a failure in a step:", ends[1])
+    if ends[1] != ends[3]:
+        print("on three ranks:", ends[3])
+    return ends[1] == ends[3] and ends[1][0] == 3
+
+
 def main():
     waker, source = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
     rest = sys.argv[3:]
@@ -351,6 +374,7 @@ def main():
         bad += not ends_cleanly(waker, source)
         bad += not first_files(waker, source)
         bad += not full_disk(waker, source)
+        bad += not fails_alike(waker, source)
     for name in rest or cases:
         file, settings, step, ranks, *steps = cases[name]
         end = (steps[0] if steps else n_steps) * step
