@@ -45,13 +45,17 @@ namespace Waker
                 field[v] = &targets[residual.target];
                 share[v] = &residual;
               }
+        const auto &of_material = targets[fields_of[0]].points;
+        std::vector<const std::vector<double> *> arrays(list.size(), nullptr);
+        for (std::size_t v = 0; v < list.size(); ++v)
+          if (field[v] == nullptr)
+            arrays[v] = &points.scalar(list[v].name);
         std::vector<double> values(list.size());
-        const auto         &of_material = targets[fields_of[0]].points;
         for (std::size_t i = 0; i < of_material.size(); ++i)
           {
             for (std::size_t v = 0; v < list.size(); ++v)
               values[v] = field[v] == nullptr
-                            ? points.scalar(list[v].name)[of_material[i]]
+                            ? (*arrays[v])[of_material[i]]
                             : field[v]->mean[i] *
                                 (share[v] == nullptr ? 1. : share[v]->ratio[i]);
             const auto problem = law.initial_problem(values);
@@ -71,6 +75,60 @@ namespace Waker
 
 
   template <int dim>
+  std::vector<typename RandomProperties<dim>::BeyondLaw>
+  RandomProperties<dim>::beyond_laws(const State<dim> &state) const
+  {
+    std::map<unsigned int, const FieldTarget<dim> *> of_materials;
+    for (const FieldTarget<dim> &target : targets)
+      of_materials.emplace(target.material, &target);
+    std::vector<BeyondLaw> all;
+    for (const auto &[m, target] : of_materials)
+      {
+        const Material                          &law  = *the_case->materials[m];
+        const auto                               list = law.variables();
+        std::vector<const std::vector<double> *> arrays;
+        for (const MaterialVariable &variable : list)
+          arrays.push_back(
+            &state.points.scalars[state.points.find_scalar(variable.name)]
+               .values);
+        std::map<unsigned int, BeyondLaw> beyond; // by variable
+        std::vector<double>               values(list.size());
+        for (const std::size_t q : target->points)
+          {
+            for (std::size_t v = 0; v < list.size(); ++v)
+              values[v] = (*arrays[v])[q];
+            const auto problem = law.initial_problem(values);
+            if (!problem)
+              continue;
+            const auto [v, allowed] = *problem;
+            ++beyond
+                .try_emplace(
+                  v,
+                  BeyondLaw{
+                    m, target->points.size(), list[v], 0, values[v], allowed})
+                .first->second.n;
+          }
+        for (const auto &[v, b] : beyond)
+          all.push_back(b);
+      }
+    return all;
+  }
+
+
+  template <int dim>
+  std::optional<std::uint64_t>
+  RandomProperties<dim>::n_beyond_law(const State<dim> &state) const
+  {
+    if (fields == nullptr)
+      return {};
+    std::uint64_t n = 0;
+    for (const BeyondLaw &b : beyond_laws(state))
+      n += b.n;
+    return n;
+  }
+
+
+  template <int dim>
   std::vector<std::string>
   RandomProperties<dim>::cut_off(const State<dim> &state) const
   {
@@ -85,55 +143,20 @@ namespace Waker
           "\"" +
           the_case->parameters.materials[targets[t].material].name +
           "\" are cut off at a limit");
-
-    // What a law takes no more of than it can do with.
-    std::map<unsigned int, const FieldTarget<dim> *> of_materials;
-    for (const FieldTarget<dim> &target : targets)
-      of_materials.emplace(target.material, &target);
-    for (const auto &[m, target] : of_materials)
+    for (const BeyondLaw &b : beyond_laws(state))
       {
-        const Material                          &law  = *the_case->materials[m];
-        const auto                               list = law.variables();
-        std::vector<const std::vector<double> *> arrays;
-        for (const MaterialVariable &variable : list)
-          arrays.push_back(
-            &state.points.scalars[state.points.find_scalar(variable.name)]
-               .values);
-        struct Beyond
-        {
-          std::size_t n = 0;
-          double      value; // of the first
-          std::string allowed;
-        };
-        std::map<unsigned int, Beyond> beyond; // by variable
-        std::vector<double>            values(list.size());
-        for (const std::size_t q : target->points)
-          {
-            for (std::size_t v = 0; v < list.size(); ++v)
-              values[v] = (*arrays[v])[q];
-            const auto problem = law.initial_problem(values);
-            if (!problem ||
-                (list[problem->first].role != Role::dilatancy &&
-                 list[problem->first].role != Role::residual_strength))
-              continue;
-            Beyond &b = beyond[problem->first];
-            if (b.n++ == 0)
-              {
-                b.value   = values[problem->first];
-                b.allowed = problem->second;
-              }
-          }
-        for (const auto &[v, b] : beyond)
-          {
-            std::ostringstream text;
-            text << "Random fields: at " << b.n << " of "
-                 << target->points.size() << " points of the material \""
-                 << the_case->parameters.materials[m].name << "\" the "
-                 << list[v].name << " counts as the most that its law takes: "
-                 << "at the first of them it is " << b.value << ", allowed "
-                 << b.allowed;
-            lines.push_back(text.str());
-          }
+        const bool is_most = b.variable.role == Role::dilatancy ||
+                             b.variable.role == Role::residual_strength;
+        std::ostringstream text;
+        text << "Random fields: at " << b.n << " of " << b.n_of
+             << " points of the material \""
+             << the_case->parameters.materials[b.material].name << "\" the "
+             << b.variable.name
+             << (is_most ? " counts as the most that its law takes"
+                         : " is none that its law would start with")
+             << ": at the first of them it is " << b.value << ", allowed "
+             << b.allowed;
+        lines.push_back(text.str());
       }
     return lines;
   }
@@ -143,6 +166,10 @@ namespace Waker
   RandomProperties<2>::check_means() const;
   template void
   RandomProperties<3>::check_means() const;
+  template std::optional<std::uint64_t>
+  RandomProperties<2>::n_beyond_law(const State<2> &) const;
+  template std::optional<std::uint64_t>
+  RandomProperties<3>::n_beyond_law(const State<3> &) const;
   template std::vector<std::string>
   RandomProperties<2>::cut_off(const State<2> &) const;
   template std::vector<std::string>

@@ -253,7 +253,8 @@ namespace Waker
             record.field_time += seconds_since(field_start);
             std::tie(record.mean_strength, record.least_strength) =
               random_properties.mean_and_least(state);
-            record.random_fields = random_properties.summaries(state);
+            record.random_fields     = random_properties.summaries(state);
+            record.points_beyond_law = random_properties.n_beyond_law(state);
           }
         kept.reset();
         so_far.wall_time = earlier_time;

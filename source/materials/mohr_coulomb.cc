@@ -161,13 +161,16 @@ namespace Waker
       {
         const double *const v    = variables.data() + 3 * s;
         const bool          left = s == 1;
-        std::ostringstream  most;
-        if (left)
-          most << " and at most the peak value at every point, here "
-               << variables[0] << " kPa";
         if (!(v[0] >= 0. && std::isfinite(v[0]) &&
               (!left || v[0] <= variables[0])))
-          return {{3 * s, "a finite number of at least 0 (kPa)" + most.str()}};
+          {
+            std::ostringstream text;
+            text << "a finite number of at least 0 (kPa)";
+            if (left)
+              text << " and at most the peak value at every point, here "
+                   << variables[0] << " kPa";
+            return {{3 * s, text.str()}};
+          }
         if (!(v[1] >= 0. && v[1] <= largest_friction_angle &&
               (!left || v[1] <= variables[1])))
           {

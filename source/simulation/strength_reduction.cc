@@ -52,12 +52,12 @@ namespace Waker
         char text[120];
         std::snprintf(text,
                       sizeof text,
-                      "%s, factor %.4f, t = %.2f s, W = %.2f m",
+                      "%s, factor %.4f, t = %.2f s, ",
                       progress.c_str(),
                       factor,
-                      state.time,
-                      state.failure.geometry.width);
-        log.progress(state.time / end_time, text);
+                      state.time);
+        log.progress(state.time / end_time,
+                     text + geometry_text(state.failure));
       }
 
     private:

@@ -286,6 +286,14 @@ namespace Waker
      "time steps that did not converge",
      [](const A &a) {
        return static_cast<std::int64_t>(a.record->unconverged_steps);
+     }},
+    {"points_beyond_law",
+     "1",
+     "points at which the draw gave what their law would refuse; -1: not known",
+     [](const A &a) {
+       return a.record->points_beyond_law
+                ? static_cast<std::int64_t>(*a.record->points_beyond_law)
+                : std::int64_t(-1);
      }}};
 
 

@@ -100,6 +100,13 @@ namespace Waker
           n_flooding_then_lost += record.flooded();
           n_both_then_lost += fails_and_floods(record);
         }
+    for (const Record &record : records)
+      {
+        const std::uint64_t n = record.points_beyond_law.value_or(0);
+        result.n_beyond_law += n > 0;
+        result.most_points_beyond_law =
+          std::max(result.most_points_beyond_law, n);
+      }
     result.inner_slides = proportion(n_inner, n_watched);
     result.outer_slides = proportion(n_outer, n_watched);
 

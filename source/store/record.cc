@@ -50,6 +50,7 @@ namespace Waker
       f("load", s.load, any);
       f("load_stop_time", s.load_stop_time, event_time);
       f("random_fields", s.random_fields, any);
+      f("points_beyond_law", s.points_beyond_law, count);
     }
 
 

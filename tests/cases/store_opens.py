@@ -39,7 +39,7 @@ VARIABLES = {
         "n_masses_behind_centred", "n_masses_behind_off_centre")},
     **{name: (PLANE, "i8", "1")
        for name in ("steps", "newton_iterations", "linear_iterations",
-                    "unconverged_steps")},
+                    "unconverged_steps", "points_beyond_law")},
     **{name: (PLANE, "f8", "s")
        for name in ("initial_failure_time", "initial_failure_time_thesis",
                     "flooding_time", "end_time", "wall_time", "field_time")},

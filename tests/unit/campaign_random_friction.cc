@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Random fields of cohesion and friction angle.
 #include <waker/base/errors.h>
+#include <waker/campaign/realisation_runner.h>
 
 #include "campaign_random_dyke.h"
 #include "user_errors.h"
+#include "warnings.h"
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -126,6 +128,7 @@ namespace campaign_random_friction
         return angle > 30.;
       });
     ASSERT_GT(n, 0u);
+    EXPECT_EQ(drawn.properties.n_beyond_law(drawn.state), n);
     const auto lines = drawn.properties.cut_off(drawn.state);
     ASSERT_EQ(lines.size(), 1u);
     EXPECT_EQ(lines[0].find("Random fields: at " + std::to_string(n) + " of " +
@@ -139,6 +142,50 @@ namespace campaign_random_friction
                            field + "Mean=10",
                            field + "Coefficient of variation=0.1"}));
     EXPECT_TRUE(low.properties.cut_off(low.state).empty());
+    EXPECT_EQ(low.properties.n_beyond_law(low.state), std::uint64_t(0));
+  }
+
+
+  TEST(RandomProperties, a_campaign_records_what_is_beyond_a_law)
+  {
+    const auto           input = sand({field + "Property=dilatancy angle",
+                                       field + "Mean=28",
+                                       field + "Coefficient of variation=0.1",
+                                       "Time stepping/End time=0.02",
+                                       "Time stepping/Time step=0.01"});
+    RealisationRunner<2> runner(input->simulation,
+                                input->reliability.fields,
+                                1,
+                                MPI_COMM_SELF);
+    const auto           record = runner.run(1, 0, {});
+    const Drawn          drawn(*input);
+    ASSERT_TRUE(record && record->points_beyond_law);
+    EXPECT_GT(*record->points_beyond_law, 0u);
+    EXPECT_EQ(record->points_beyond_law,
+              drawn.properties.n_beyond_law(drawn.state));
+  }
+
+
+  TEST(RandomProperties, a_strength_of_nothing_is_counted)
+  {
+    // A friction angle that is drawn as 0 where there is no cohesion.
+    const std::string          clay = "Materials/clay/";
+    const Drawn                drawn(*coarse({clay + "Model=Mohr-Coulomb",
+                                              clay + "Cohesion=0",
+                                              clay + "Friction angle=10",
+                                              "Water/Side=none",
+                                              field + "Property=friction angle",
+                                              field + "Coefficient of variation=1"}));
+    const std::vector<double> &phi = drawn.values("friction angle");
+    const std::size_t          n   = std::count(phi.begin(), phi.end(), 0.);
+    ASSERT_GT(n, 0u);
+    EXPECT_EQ(drawn.properties.n_beyond_law(drawn.state), n);
+    const auto lines = drawn.properties.cut_off(drawn.state);
+    ASSERT_EQ(lines.size(), 2u); // one of the limit of the field
+    EXPECT_TRUE(Warnings::has(lines[1],
+                              "the cohesion is none that its law would start "
+                              "with: at the first of them it is 0"))
+      << lines[1];
   }
 
 
@@ -149,11 +196,9 @@ namespace campaign_random_friction
         *sand({field + "Property=cohesion",
                field + "Distribution=lognormal",
                field + "Coefficient of variation=" + variation}));
-      std::string all;
-      for (const std::string &text : drawn.properties.warnings())
-        all += text + "\n";
-      return all.find("a coefficient of variation of " + variation +
-                      "; soils have 0.02 to 1") != std::string::npos;
+      return Warnings::has(Warnings::joined(drawn.properties.warnings()),
+                           "a coefficient of variation of " + variation +
+                             "; soils have 0.02 to 1");
     };
     EXPECT_TRUE(told("5"));
     EXPECT_FALSE(told("0.9"));

@@ -11,6 +11,7 @@
 #include "level_ground.h"
 #include "mapping_lattice.h"
 #include "user_errors.h"
+#include "warnings.h"
 #include <map>
 
 namespace loads_pore_water
@@ -307,14 +308,9 @@ end
   TEST(Loads, water_in_the_ground_that_is_strange)
   {
     const auto warnings = [](const std::vector<std::string> &more) {
-      std::string all;
-      for (const std::string &text : strange_parameters(*ground(more)))
-        all += text + "\n";
-      return all;
+      return Warnings::joined(strange_parameters(*ground(more)));
     };
-    const auto has = [](const std::string &all, const std::string &text) {
-      return all.find(text) != std::string::npos;
-    };
+    using Warnings::has;
     const std::string lake = "Tractions/Names=lake",
                       kind = "Tractions/lake/Kind=hydrostatic";
     EXPECT_EQ(warnings({}), "");

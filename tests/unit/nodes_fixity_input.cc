@@ -9,6 +9,7 @@
 #include "fixity_cases.h"
 #include "named.h"
 #include "user_errors.h"
+#include "warnings.h"
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -147,10 +148,7 @@ namespace nodes_fixity_input
     const auto conflicts = [&](std::vector<FixityParameters> list) {
       for (unsigned int i = 0; i < list.size(); ++i)
         list[i].name = std::string(1, 'a' + i);
-      std::string all;
-      for (const std::string &text : fixity_conflicts(grid, list))
-        all += text + "\n";
-      return all;
+      return Warnings::joined(fixity_conflicts(grid, list));
     };
     const auto moved = fixity("bottom", "prescribed", "free; 0.1*t");
     // The same wishes.

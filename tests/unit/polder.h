@@ -7,12 +7,14 @@
 #include <waker/simulation/plausibility.h>
 
 #include "level_ground.h"
+#include "warnings.h"
 #include <memory>
 
 /// Level ground, 4 m of clay on 2 m of sand, an aquifer with a head of its own.
 namespace Polder
 {
   using namespace Waker;
+  using Warnings::has;
 
   constexpr double gamma_w = 10.; // the default
 
@@ -73,17 +75,7 @@ end
   {
     const auto    parameters = ground(more);
     const Case<2> the_case(*parameters, MPI_COMM_SELF);
-    std::string   all;
-    for (const std::string &text : strange_things(the_case))
-      all += text + "\n";
-    return all;
-  }
-
-
-  inline bool
-  has(const std::string &all, const std::string &text)
-  {
-    return all.find(text) != std::string::npos;
+    return Warnings::joined(strange_things(the_case));
   }
 } // namespace Polder
 

@@ -7,6 +7,7 @@
 #include <waker/simulation/plausibility.h>
 
 #include "program_case.h"
+#include "warnings.h"
 #include <gtest/gtest.h>
 
 namespace program_friction
@@ -65,10 +66,8 @@ namespace program_friction
     expect_warning(const std::vector<std::string> &overrides,
                    const std::string              &text)
     {
-      std::string all;
-      for (const std::string &warning : warnings(overrides))
-        all += warning + "\n";
-      EXPECT_NE(all.find(text), std::string::npos) << text << "\n" << all;
+      const std::string all = Warnings::joined(warnings(overrides));
+      EXPECT_TRUE(Warnings::has(all, text)) << text << "\n" << all;
     }
   } // namespace
 

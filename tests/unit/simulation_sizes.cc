@@ -4,6 +4,7 @@
 #include <waker/simulation/plausibility.h>
 
 #include "campaign_random_dyke.h"
+#include "warnings.h"
 #include <gtest/gtest.h>
 
 namespace simulation_sizes
@@ -211,11 +212,8 @@ namespace simulation_sizes
                       {"Load programmes/Names=q",
                        "Load programmes/q/Drives=water",
                        "Time stepping/End time=40"});
-      std::string all;
-      for (const std::string &text : strange_parameters(
-             read_scenarios(base_case, settings)[0]->simulation))
-        all += text + "\n";
-      return all;
+      return Warnings::joined(
+        strange_parameters(read_scenarios(base_case, settings)[0]->simulation));
     };
     const std::string q     = "Load programmes/q/";
     const std::string rate  = q + "Rate=-0.01";

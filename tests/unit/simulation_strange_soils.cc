@@ -5,26 +5,18 @@
 
 #include "program_case.h"
 #include "stress_in_ground.h"
+#include "warnings.h"
 
 namespace simulation_strange_soils
 {
   using namespace Waker;
   using namespace ProgramCase;
   using namespace StressInGround;
+  using namespace Warnings;
 
   namespace
   {
     const std::string clay = "Materials/clay/";
-
-
-    std::string
-    joined(const std::vector<std::string> &warnings)
-    {
-      std::string all;
-      for (const std::string &warning : warnings)
-        all += warning + "\n";
-      return all;
-    }
 
 
     /// What is said of the dyke of clay without water.
@@ -61,8 +53,7 @@ namespace simulation_strange_soils
     void
     expect_said(const std::string &all, const std::string &text)
     {
-      EXPECT_NE(all.find(text), std::string::npos)
-        << "\"" << text << "\" is not in: " << all;
+      EXPECT_TRUE(has(all, text)) << "\"" << text << "\" is not in: " << all;
     }
   } // namespace
 
@@ -231,5 +222,28 @@ namespace simulation_strange_soils
                                 "Initial stress/Daily stage=true",
                                 "Pore water/Daily phreatic line=0, 1; 4, 1"}),
                 k0 + " is 3; soils have 0.3 to 2");
+  }
+
+
+  TEST(Plausibility, a_stress_at_rest_that_follows_the_stress)
+  {
+    // In the sand sigma'_v goes from 4.5 to some 22 kPa.
+    const std::string k0 = "Materials/sand/K0";
+    expect_said(said_of_ground({k0 + "=0.5 + 0.08*vertical_stress"}),
+                "; soils have 0.3 to 2");
+    EXPECT_EQ(said_of_ground({k0 + "=0.5 + 0.001*vertical_stress"}), "");
+    // With a daily stage it is made of the daily stress, which is not that of
+    // now: of what cannot be known nothing is said.
+    const std::vector<std::string> daily = {
+      "Initial stress/Daily stage=true",
+      "Pore water/Daily phreatic line=0, 1; 4, 1"};
+    const auto said_by_day = [&](const std::string &setting) {
+      std::vector<std::string> settings = daily;
+      settings.push_back(setting);
+      return said_of_ground(settings);
+    };
+    EXPECT_FALSE(has(said_by_day(k0 + "=0.5 + 0.08*vertical_stress"), k0));
+    // The control: a K0 of the place is known.
+    EXPECT_TRUE(has(said_by_day(k0 + "=3 + 0*y"), k0 + " is 3"));
   }
 } // namespace simulation_strange_soils

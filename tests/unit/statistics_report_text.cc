@@ -32,6 +32,36 @@ namespace statistics_report_text
                                    "1 numerical failure"})
       EXPECT_NE(text.find(part), std::string::npos) << part << '\n' << text;
     EXPECT_NE(text.back(), '\n');
+    EXPECT_EQ(text.find("beyond a law"), std::string::npos) << text;
+  }
+
+
+  TEST(Report, text_of_draws_beyond_a_law)
+  {
+    Campaign c = make_campaign();
+    for (Record &record : c.records[0])
+      record.points_beyond_law = 0;
+    c.records[0][7].points_beyond_law  = 12;
+    c.records[0][5].points_beyond_law  = 34; // a numerical failure
+    c.records[0][11].points_beyond_law = 3;
+    const std::string text =
+      report_text(c.info, c.records, AnalysisParameters());
+    EXPECT_NE(text.find("\n  3 whose draw is beyond a law at points, at up to "
+                        "34 of them"),
+              std::string::npos)
+      << text;
+    const TemporaryFolder folder;
+    write_report(c.info, c.records, AnalysisParameters(), folder.path);
+    const auto json =
+      nlohmann::json::parse(read_file(join_path(folder.path, "report.json")));
+    EXPECT_EQ(json["scenarios"][0]["n_beyond_law"], 3);
+    EXPECT_EQ(json["scenarios"][0]["most_points_beyond_law"], 34);
+    EXPECT_EQ(json["scenarios"][1]["n_beyond_law"], 0);
+    // Of the others it is not known, which is not 0.
+    const auto rows = read_table(folder.path, "realisations");
+    EXPECT_EQ(rows.at(7).at("points_beyond_law"), "12");
+    EXPECT_EQ(rows.at(8).at("points_beyond_law"), "0");
+    EXPECT_EQ(rows.at(400).at("points_beyond_law"), "-1");
   }
 
 

@@ -46,6 +46,7 @@ namespace Waker::store_record
         record.residual_width_z  = 1. / 3.;
         record.load              = 0.7;
         record.residual_height_z = -0.1;
+        record.points_beyond_law = i;
         record.wall_time         = std::abs(number());
         record.field_time        = std::abs(number());
         record.outward           = {std::abs(number()), -0., number()};
@@ -62,6 +63,7 @@ namespace Waker::store_record
         EXPECT_EQ(copy.residual_width_z, record.residual_width_z);
         EXPECT_EQ(copy.load, 0.7);
         EXPECT_FALSE(copy.load_stop_time);
+        EXPECT_EQ(copy.points_beyond_law, i);
         EXPECT_EQ(copy.residual_height_z, record.residual_height_z);
         EXPECT_EQ(copy.wall_time, record.wall_time);
         EXPECT_EQ(copy.field_time, record.field_time);
@@ -203,6 +205,7 @@ namespace Waker::store_record
     EXPECT_EQ(record.least_strength, 6.5);
     EXPECT_FALSE(record.unrest); // came later
     EXPECT_FALSE(record.sliding_masses);
+    EXPECT_FALSE(record.points_beyond_law);
     EXPECT_FALSE(record.residual_width_z || record.residual_height_z);
     EXPECT_EQ(record.steps, 245u);
     EXPECT_EQ(record.unconverged_steps, 1u);

@@ -79,10 +79,16 @@ namespace Waker
     std::optional<std::vector<FieldSummary>>
     summaries(const State<dim> &state) const;
 
+    /// At how many points of `state`, that apply() has set last, a drawn value
+    /// is one that the law would refuse, as a dilatancy angle above the
+    /// friction angle: it counts as the most that the law takes. Nothing
+    /// without fields.
+    std::optional<std::uint64_t>
+    n_beyond_law(const State<dim> &state) const;
+
     /// "Random fields/pop: 12 of 3400 points are cut off at a limit", of the
     /// points of `state`, that apply() has set last; a line per field with such
-    /// points, and one for each property that its law cuts off, as a dilatancy
-    /// angle above the friction angle.
+    /// points, and one for each property that is beyond its law.
     std::vector<std::string>
     cut_off(const State<dim> &state) const;
 
@@ -95,6 +101,20 @@ namespace Waker
       std::string         name;
       std::vector<double> ratio;
     };
+
+    /// A variable that is beyond the law of a material.
+    struct BeyondLaw
+    {
+      unsigned int     material;
+      std::size_t      n_of; // points of the material
+      MaterialVariable variable;
+      std::size_t      n = 0; // points at which it is
+      double           value; // at the first of them
+      std::string      allowed;
+    };
+
+    std::vector<BeyondLaw>
+    beyond_laws(const State<dim> &state) const;
 
     /// Is there a field of this property for this material?
     bool

@@ -48,6 +48,10 @@ namespace Waker
     std::uint64_t n_stopped_by_box = 0;
     /// Of n: initial failures that have not flooded so far, but are not final.
     std::uint64_t n_not_final = 0;
+    /// Of all: with points to which the draw gave what their law would refuse,
+    /// and the most such points that one of them has.
+    std::uint64_t n_beyond_law           = 0;
+    std::uint64_t most_points_beyond_law = 0;
 
     std::uint64_t
     n_undecided() const

@@ -70,6 +70,10 @@ namespace Waker
     /// Of all random fields, in their order; empty if there is one alone,
     /// without an average of its own.
     std::optional<std::vector<FieldSummary>> random_fields;
+    /// Points at t = 0 to which the draw gives what their law would refuse, as
+    /// a dilatancy angle above the friction angle: it counts as the most that
+    /// the law takes.
+    std::optional<std::uint64_t> points_beyond_law;
 
     std::uint64_t steps             = 0;
     std::uint64_t newton_iterations = 0;
