@@ -264,13 +264,27 @@ namespace Waker
                       double                      *variables,
                       SymmetricTensor<4, 3>       *tangent) const
   {
+    return update(strain_increment,
+                  strength_at(variables[number_of_softening_strain()],
+                              variables),
+                  stress,
+                  variables,
+                  tangent);
+  }
+
+
+  double
+  MohrCoulomb::update(const SymmetricTensor<2, 3> &strain_increment,
+                      const MohrCoulombStrength   &strength_before,
+                      SymmetricTensor<2, 3>       &stress,
+                      double                      *variables,
+                      SymmetricTensor<4, 3>       *tangent) const
+  {
     double      &plastic_strain = variables[number_of_plastic_strain()];
     const double ratio          = stiffness_ratio(variables);
     add_elastic_stress(strain_increment, ratio, stress);
     const PrincipalStress trial = principal_stress(stress);
-    MohrCoulombStrength   strength =
-      strength_at(variables[number_of_softening_strain()], variables);
-    if (MohrCoulombReturn::holds(trial.value, strength))
+    if (MohrCoulombReturn::holds(trial.value, strength_before))
       {
         if (tangent != nullptr)
           *tangent = ratio * elastic_tangent;
@@ -287,7 +301,7 @@ namespace Waker
           const auto at_k = map(trial.value, strength_at(k, variables));
           return MohrCoulombReturn::equivalent(at_k.plastic_strain);
         });
-    MohrCoulombStrength rate = {};
+    MohrCoulombStrength strength = strength_before, rate = {};
     if (softens_in_step())
       strength = strength_at(end, variables, &rate);
     const auto result = map(trial.value, strength);
@@ -298,14 +312,8 @@ namespace Waker
       {
         double slope[3][3];
         map.slope(result, strength, rate, slope);
-        const SymmetricTensor<4, 3> of_trial =
-          isotropic_derivative(trial, result.stress, slope);
-        // After the elastic D = lame 1 x 1 + 2 G I.
-        *tangent = (2. * shear) * of_trial;
-        const SymmetricTensor<2, 3> of_pressure =
-          of_trial * unit_symmetric_tensor<3>();
-        *tangent +=
-          lame * outer_product(of_pressure, unit_symmetric_tensor<3>());
+        *tangent =
+          isotropic_derivative(trial, result.stress, slope, 2. * shear, lame);
       }
     double dissipation = 0.;
     for (unsigned int d = 0; d < 3; ++d)

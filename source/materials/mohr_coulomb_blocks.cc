@@ -63,7 +63,8 @@ namespace Waker
   MohrCoulomb::find_elastic(const unsigned int n_points,
                             const Block       &block,
                             double (&trial)[6][block_size],
-                            bool (&is_elastic)[block_size]) const
+                            bool (&is_elastic)[block_size],
+                            MohrCoulombStrength (&strengths)[block_size]) const
   {
     double half[block_size], middle[block_size], largest[block_size];
     if (stiffness_varies)
@@ -88,6 +89,7 @@ namespace Waker
           }
         if (is_new)
           strength = strength_at(block.variables[strain][l], variables);
+        strengths[l]  = strength;
         is_elastic[l] = half[l] + strength.sin_phi * middle[l] <
                           strength.cohesion * strength.cos_phi &&
                         largest[l] < strength.tension;
@@ -99,9 +101,10 @@ namespace Waker
   MohrCoulomb::update_block(const unsigned int n_points, Block &block) const
   {
     // Of those that are surely elastic nothing else need be known.
-    double trial[6][block_size];
-    bool   is_elastic[block_size];
-    find_elastic(n_points, block, trial, is_elastic);
+    double              trial[6][block_size];
+    bool                is_elastic[block_size];
+    MohrCoulombStrength strengths[block_size];
+    find_elastic(n_points, block, trial, is_elastic, strengths);
     const unsigned int    plastic = number_of_plastic_strain();
     double                variables[most_variables];
     SymmetricTensor<2, 3> strain, stress;
@@ -121,7 +124,8 @@ namespace Waker
               strain.access_raw_entry(a) = block.strain_increment[a][l];
               stress.access_raw_entry(a) = block.stress[a][l];
             }
-          block.dissipation[l] = update(strain, stress, variables, nullptr);
+          block.dissipation[l] =
+            update(strain, strengths[l], stress, variables, nullptr);
           for (unsigned int a = 0; a < 6; ++a)
             block.stress[a][l] = stress.access_raw_entry(a);
           block.variables[plastic][l] = variables[plastic];
@@ -136,9 +140,10 @@ namespace Waker
                              const unsigned int *components,
                              double (*tangent)[block_size]) const
   {
-    double trial[6][block_size];
-    bool   is_elastic[block_size];
-    find_elastic(n_points, block, trial, is_elastic);
+    double              trial[6][block_size];
+    bool                is_elastic[block_size];
+    MohrCoulombStrength strengths[block_size];
+    find_elastic(n_points, block, trial, is_elastic, strengths);
     for (unsigned int a = 0; a < n_components; ++a)
       for (unsigned int b = 0; b < n_components; ++b)
         std::fill_n(tangent[n_components * a + b],
@@ -162,7 +167,7 @@ namespace Waker
               strain.access_raw_entry(a) = block.strain_increment[a][l];
               stress.access_raw_entry(a) = block.stress[a][l];
             }
-          update(strain, stress, variables, &D);
+          update(strain, strengths[l], stress, variables, &D);
           for (unsigned int a = 0; a < n_components; ++a)
             for (unsigned int b = 0; b < n_components; ++b)
               tangent[n_components * a + b][l] =

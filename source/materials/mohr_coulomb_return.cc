@@ -79,23 +79,6 @@ namespace Waker
 
 
   double
-  MohrCoulombReturn::equivalent(const Principal &e)
-  {
-    const double mean = (e[0] + e[1] + e[2]) / 3.;
-    const double a = e[0] - mean, b = e[1] - mean, c = e[2] - mean;
-    return std::sqrt(2. / 3. * (a * a + b * b + c * c));
-  }
-
-
-  Principal
-  MohrCoulombReturn::elastic(const Principal &e) const
-  {
-    const double add = lambda * (e[0] + e[1] + e[2]);
-    return {{2. * G * e[0] + add, 2. * G * e[1] + add, 2. * G * e[2] + add}};
-  }
-
-
-  double
   MohrCoulombReturn::strain_of_loss(const double sin_phi,
                                     const double sin_psi,
                                     const double loss) const
@@ -230,6 +213,35 @@ namespace Waker
 
 
   void
+  MohrCoulombReturn::fixed_slope(const Result   &result,
+                                 const Strength &strength,
+                                 double (&slope)[3][3]) const
+  {
+    const unsigned int n = result.n_active;
+    Principal          normals[3], stresses[3];
+    double             A[3][3], x[3][3];
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        normals[i]  = normal(result.active[i], strength);
+        stresses[i] = elastic(flow(result.active[i], strength));
+        for (unsigned int d = 0; d < 3; ++d)
+          x[i][d] = normals[i][d];
+      }
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        A[i][j] = dot(normals[i], stresses[j]);
+    const bool solved = solve(n, A, x);
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int d = 0; d < 3; ++d)
+        {
+          slope[i][d] = i == d ? 1. : 0.;
+          for (unsigned int j = 0; solved && j < n; ++j)
+            slope[i][d] -= stresses[j][i] * x[j][d];
+        }
+  }
+
+
+  void
   MohrCoulombReturn::slope(const Result   &result,
                            const Strength &strength,
                            const Strength &rate,
@@ -239,9 +251,14 @@ namespace Waker
     //   normal_i(k) . s - offset_i(k) = 0,  s = trial - sum_j m_j D flow_j(k),
     //   k = k_start + sqrt(2/3) |dev sum_j m_j flow_j(k)|.
     const unsigned int n = result.n_active;
-    Principal          normals[3], stresses[3], change = {{0., 0., 0.}};
-    double             J[4][4] = {}, x[4][3] = {};
-    const double       size = equivalent(result.plastic_strain);
+    if (rate.is_zero())
+      {
+        fixed_slope(result, strength, slope);
+        return;
+      }
+    Principal    normals[3], stresses[3], change = {{0., 0., 0.}};
+    double       J[4][4] = {}, x[4][3] = {};
+    const double size = equivalent(result.plastic_strain);
     const double mean = (result.plastic_strain[0] + result.plastic_strain[1] +
                          result.plastic_strain[2]) /
                         3.;

@@ -3,6 +3,7 @@
 #define waker_source_materials_mohr_coulomb_return_h
 
 #include <array>
+#include <cmath>
 
 namespace Waker
 {
@@ -18,6 +19,14 @@ namespace Waker
     double sin_phi, cos_phi;
     double sin_psi;
     double tension; // largest principal stress, kPa; may be infinite
+
+    /// Of a derivative: does nothing change?
+    bool
+    is_zero() const
+    {
+      return cohesion == 0. && sin_phi == 0. && cos_phi == 0. &&
+             sin_psi == 0. && tension == 0.;
+    }
   };
 
 
@@ -85,12 +94,27 @@ namespace Waker
 
     /// sqrt(2/3 e:e) of the deviator of a plastic strain.
     static double
-    equivalent(const Principal &plastic_strain);
+    equivalent(const Principal &e)
+    {
+      const double mean = (e[0] + e[1] + e[2]) / 3.;
+      const double a = e[0] - mean, b = e[1] - mean, c = e[2] - mean;
+      return std::sqrt(2. / 3. * (a * a + b * b + c * c));
+    }
 
   private:
     /// D e, elastic.
     Principal
-    elastic(const Principal &strain) const;
+    elastic(const Principal &e) const
+    {
+      const double add = lambda * (e[0] + e[1] + e[2]);
+      return {{2. * G * e[0] + add, 2. * G * e[1] + add, 2. * G * e[2] + add}};
+    }
+
+    /// slope() of strengths that do not change.
+    void
+    fixed_slope(const Result              &result,
+                const MohrCoulombStrength &strength,
+                double (&slope)[3][3]) const;
 
     double G, lambda;
   };

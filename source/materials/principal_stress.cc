@@ -15,7 +15,8 @@ namespace Waker
     {
       const double half   = 0.5 * (stress[0][0] - stress[1][1]);
       const double middle = 0.5 * (stress[0][0] + stress[1][1]);
-      const double radius = std::hypot(half, stress[0][1]);
+      const double radius =
+        std::sqrt(half * half + stress[0][1] * stress[0][1]);
       // cos and sin of the angle of the larger one, the greater of them first.
       double c = 1., s = 0.;
       if (radius > 0.)
@@ -96,18 +97,48 @@ namespace Waker
   SymmetricTensor<4, 3>
   isotropic_derivative(const PrincipalStress       &argument,
                        const std::array<double, 3> &value,
-                       const double (&slope)[3][3])
+                       const double (&slope)[3][3],
+                       const double two_G,
+                       const double lame)
   {
-    const auto           &a = argument.value;
-    const auto           &n = argument.direction;
-    SymmetricTensor<2, 3> own[3];
+    const auto &a = argument.value;
+    const auto &n = argument.direction;
+    // By components, in deal.II's order: xx, yy, zz, xy, xz, yz. This is what
+    // a point that yields spends its time with.
+    constexpr unsigned int first[6]  = {0, 1, 2, 0, 0, 1};
+    constexpr unsigned int second[6] = {0, 1, 2, 1, 2, 2};
+    double                 own[3][6];
     for (unsigned int i = 0; i < 3; ++i)
-      own[i] = symmetrize(outer_product(n[i], n[i]));
+      for (unsigned int c = 0; c < 6; ++c)
+        own[i][c] = n[i][first[c]] * n[i][second[c]];
 
-    SymmetricTensor<4, 3> D;
+    // Where z is a principal direction, what has z in it stands apart.
+    const unsigned int z       = std::abs(n[0][2]) == 1.   ? 0
+                                 : std::abs(n[1][2]) == 1. ? 1
+                                 : std::abs(n[2][2]) == 1. ? 2
+                                                           : 3;
+    double             D[6][6] = {};
+    const auto add = [&D, z](const double(&left)[6], const double(&right)[6]) {
+      if (z < 3)
+        for (unsigned int c = 0; c < 4; ++c)
+          for (unsigned int d = 0; d < 4; ++d)
+            D[c][d] += left[c] * right[d];
+      else
+        for (unsigned int c = 0; c < 6; ++c)
+          for (unsigned int d = 0; d < 6; ++d)
+            D[c][d] += left[c] * right[d];
+    };
     for (unsigned int i = 0; i < 3; ++i)
-      for (unsigned int j = 0; j < 3; ++j)
-        D += slope[i][j] * outer_product(own[i], own[j]);
+      {
+        double       row[6];
+        const double of_pressure =
+          lame * (slope[i][0] + slope[i][1] + slope[i][2]);
+        for (unsigned int c = 0; c < 6; ++c)
+          row[c] = two_G * (slope[i][0] * own[0][c] + slope[i][1] * own[1][c] +
+                            slope[i][2] * own[2][c]) +
+                   (c < 3 ? of_pressure : 0.);
+        add(own[i], row);
+      }
     // Values this near to each other have no difference to divide by.
     const double equal =
       1e-8 * std::max({std::abs(a[0]), std::abs(a[2]), 1e-300});
@@ -119,9 +150,25 @@ namespace Waker
             std::abs(difference) > equal
               ? (value[i] - value[j]) / difference
               : 0.5 * (slope[i][i] - slope[i][j] + slope[j][j] - slope[j][i]);
-          const auto mixed = symmetrize(outer_product(n[i], n[j]));
-          D += (2. * shear) * outer_product(mixed, mixed);
+          const double factor = 2. * two_G * shear;
+          double       mixed[6], scaled[6];
+          for (unsigned int c = 0; c < 6; ++c)
+            {
+              mixed[c]  = 0.5 * (n[i][first[c]] * n[j][second[c]] +
+                                n[i][second[c]] * n[j][first[c]]);
+              scaled[c] = factor * mixed[c];
+            }
+          if (i != z && j != z)
+            add(mixed, scaled);
+          else
+            for (unsigned int c = 4; c < 6; ++c)
+              for (unsigned int d = 4; d < 6; ++d)
+                D[c][d] += mixed[c] * scaled[d];
         }
-    return D;
+    SymmetricTensor<4, 3> result;
+    for (unsigned int c = 0; c < 6; ++c)
+      for (unsigned int d = 0; d < 6; ++d)
+        result.access_raw_entry(6 * c + d) = D[c][d];
+    return result;
   }
 } // namespace Waker

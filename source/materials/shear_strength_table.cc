@@ -108,14 +108,8 @@ namespace Waker
       {
         double slope[3][3];
         map.slope(result, slope);
-        const SymmetricTensor<4, 3> of_trial =
-          isotropic_derivative(trial, result.stress, slope);
-        // After the elastic D = lame 1 x 1 + 2 G I.
-        *tangent = (2. * shear) * of_trial;
-        const SymmetricTensor<2, 3> of_pressure =
-          of_trial * unit_symmetric_tensor<3>();
-        *tangent +=
-          lame * outer_product(of_pressure, unit_symmetric_tensor<3>());
+        *tangent =
+          isotropic_derivative(trial, result.stress, slope, 2. * shear, lame);
       }
     double dissipation = 0.;
     for (unsigned int d = 0; d < 3; ++d)

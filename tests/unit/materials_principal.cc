@@ -97,6 +97,12 @@ namespace materials_principal
         const auto expected =
           2. * symmetrize(Tensor<2, 3>(change) * Tensor<2, 3>(A));
         EXPECT_LT((D * change - expected).norm(), 1e-7 * expected.norm()) << n;
+        // The same by the elastic strain of the argument.
+        const auto after = isotropic_derivative(p, square, slope, 6., 5.);
+        const auto of_strain =
+          D * (6. * change + 5. * trace(change) * unit_symmetric_tensor<3>());
+        EXPECT_LT((after * change - of_strain).norm(), 1e-13 * after.norm())
+          << n;
       }
   }
 } // namespace materials_principal

@@ -161,12 +161,22 @@ namespace Waker
     static constexpr unsigned int most_variables = 10;
 
     /// The elastic stresses (kPa) of a block's points, and which of these stay
-    /// as they are: surely, of others it is not known.
+    /// as they are: surely, of others it is not known. And the strengths with
+    /// which the points begin.
     void
     find_elastic(const unsigned int n_points,
                  const Block       &block,
                  double (&trial)[6][block_size],
-                 bool (&is_elastic)[block_size]) const;
+                 bool (&is_elastic)[block_size],
+                 MohrCoulombStrength (&strengths)[block_size]) const;
+
+    /// update() of a point that begins with this strength.
+    double
+    update(const SymmetricTensor<2, 3> &strain_increment,
+           const MohrCoulombStrength   &strength_before,
+           SymmetricTensor<2, 3>       &stress,
+           double                      *variables,
+           SymmetricTensor<4, 3>       *tangent) const;
 
     /// At a plastic strain, or its nonlocal measure.
     /// @param rate if not null: its derivative

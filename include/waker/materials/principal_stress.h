@@ -37,11 +37,15 @@ namespace Waker
    * @param argument where the derivative is taken
    * @param value of the result
    * @param slope [i][j] = d value_i / d argument.value_j
+   * @param two_G, lame the argument is itself the stress of an elastic strain,
+   *        D = lame 1 x 1 + two_G I (kPa): then by that strain
    */
   SymmetricTensor<4, 3>
   isotropic_derivative(const PrincipalStress       &argument,
                        const std::array<double, 3> &value,
-                       const double (&slope)[3][3]);
+                       const double (&slope)[3][3],
+                       const double two_G = 1.,
+                       const double lame  = 0.);
 } // namespace Waker
 
 #endif
