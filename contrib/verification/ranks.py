@@ -172,7 +172,8 @@ def model():
     facets = read_csv("ranks_surface")
     per_facet = facets["ns a facet"][0] * 1e-9 + FACET * PER_BYTE
     share = facets["facets"][0] / facets["points"][0] ** (2. / 3.)
-    print("points, ranks: work, bytes, messages, sums, surface (ms); efficiency")
+    print("points, ranks: work, bytes, messages, sums, surface (ms); efficiency, and if "
+          "all bytes and messages went while ranks work")
     for n in (99328, 794624, 1e7):
         many = 2 ** np.arange(0, 11)
         efficiency = []
@@ -186,9 +187,10 @@ def model():
             parts = np.array([work, sent if p > 1 else 0., told, added,
                               whole if p > 1 else 0.])
             efficiency.append(work / parts.sum())
-            if p in (16, 64, 256, 1024):
+            if p in (2, 16, 64, 256, 1024):
+                hidden = work / max(parts.sum() - sent - told, work)
                 print(f"{n:.0f}, {p}: " + ", ".join(f"{1e3 * t:.3g}" for t in parts)
-                      + f"; {efficiency[-1]:.2f}")
+                      + f"; {efficiency[-1]:.2f}, {hidden:.2f}")
         axes.semilogx(many, efficiency, marker="o", ms=3, base=2,
                       label=f"{n:.3g} points")
     axes.axhline(0.7, color="0.6", lw=0.8)

@@ -12,6 +12,7 @@
 #include <waker/case/soil.h>
 #include <waker/loads/water_level.h>
 #include <waker/measures/dyke_geometry.h>
+#include <waker/measures/ground_lines.h>
 #include <waker/mechanics/deformation.h>
 #include <waker/mechanics/time_scheme.h>
 
@@ -172,12 +173,22 @@ namespace Waker
     prepare_domains(p.mapping.domains, initial_points);
     programmes.prepare(p, initial_points);
     check_run_sizes(run_sizes(*this), p, n_ranks_here(grid.communicator()));
+    initial_height = crest_height(initial_points);
     if constexpr (dim == 3)
       if (!p.surface.is_of_section(dim))
         sections = dyke_sections(grid, initial_points);
     if (p.sliding.watch)
       initial_crest(*this); // can it be found?
     set_initial_state(watcher);
+  }
+
+
+  template <int dim>
+  void
+  Case<dim>::forget_initial_points()
+  {
+    initial_points = MaterialPoints<dim>();
+    give_back_memory();
   }
 
 

@@ -84,16 +84,20 @@ namespace Waker
       per_step += 20.;
     sizes.computing = 1e-6 * per_step * n_points * sizes.steps;
 
-    // Its arrays, weights and tangent; and, which each rank has, the points at
-    // the start, as they are, and on their way into a file.
+    // Its arrays, weights and tangent; and, which each rank has, the points of
+    // the body as they are, and those at the start, in the place of which the
+    // first one later makes a checkpoint.
     const double of_arrays = 8. * (4 + 7 * dim + 2 * 6 + 8);
-    const double per_point = of_arrays + 8. * 6 * dim +
-                             8. * (dim * (dim + 1) / 2 + 1) * (dim * dim + 1);
-    const double per_node = 8. * (2 + 20 * dim);
-    sizes.memory          = (per_point * n_points + per_node * n_nodes +
+    const double of_tangent =
+      scheme_traits(time).is_implicit || parameters.gravity.initial_stress
+        ? 8. * (dim * (dim + 1) / 2 + 1) * (dim * dim + 1)
+        : 0.;
+    const double per_point = of_arrays + 8. * 6 * dim + of_tangent;
+    const double per_node  = 8. * (2 + 20 * dim);
+    sizes.memory           = (per_point * n_points + per_node * n_nodes +
                     solver_memory<dim>(parameters, n_points, n_nodes)) /
                      n_ranks +
-                   (dim == 3 || n_ranks > 1 ? 3. * of_arrays : 0.) * n_points +
+                   (dim == 3 || n_ranks > 1 ? 2. * of_arrays : 0.) * n_points +
                    (n_ranks > 1 ? per_node : 0.) * n_nodes;
 
     sizes.snapshots =

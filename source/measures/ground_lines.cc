@@ -236,8 +236,9 @@ namespace Waker
   }
 
 
+  template <int dim>
   double
-  crest_height(const MaterialPoints<3> &points)
+  crest_height(const MaterialPoints<dim> &points)
   {
     double height = std::numeric_limits<double>::lowest();
     for (std::size_t p = 0; p < points.n_points(); ++p)
@@ -274,4 +275,10 @@ namespace Waker
     take(contour_lines(view, moved, step, GroundLine::moved));
     return lines;
   }
+
+
+  template double
+  crest_height(const MaterialPoints<2> &);
+  template double
+  crest_height(const MaterialPoints<3> &);
 } // namespace Waker

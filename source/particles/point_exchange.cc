@@ -103,22 +103,11 @@ namespace Waker
                                     const MPI_Comm             communicator,
                                     const MaterialPoints<dim> &whole)
     : communicator(communicator)
-    , n_whole(whole.n_points())
-    , points(whole)
+    , n_whole(0)
   {
-    const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
-    for (std::size_t p = 0; p < n_whole; ++p)
-      if (partition.owner(whole.position[p]) == rank)
-        places.push_back(p);
-    MaterialPoints<dim>::for_each_array(points, [&](const char *, auto &array) {
-      if (array.empty())
-        return;
-      auto next = array.begin();
-      for (const std::uint32_t p : places)
-        *next++ = array[p];
-      array.erase(next, array.end());
-      array.shrink_to_fit();
-    });
+    for (const NamedArray &scalar : whole.scalars)
+      points.scalars.push_back({scalar.name, {}});
+    take_new(partition, whole);
   }
 
 

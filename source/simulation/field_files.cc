@@ -196,7 +196,7 @@ namespace Waker
               const auto lines =
                 ground_lines(ground,
                              state.points,
-                             crest_height(view.the_case.initial_points),
+                             view.the_case.initial_height,
                              ground_step(grid));
               return write_ground_lines(lines, state.time, path);
             });

@@ -64,7 +64,7 @@ namespace Waker
 
     template <int dim>
     RunStatus
-    loop(const Case<dim>  &the_case,
+    loop(Case<dim>        &the_case,
          const RunOptions &options,
          const bool        resumed,
          State<dim>       &state,
@@ -74,7 +74,8 @@ namespace Waker
       const auto          start      = std::chrono::steady_clock::now();
       const std::uint64_t first_step = state.step;
       Realisation<dim>    realisation(the_case, state);
-      RunWatcher<dim>     watcher(
+      the_case.forget_initial_points();
+      RunWatcher<dim> watcher(
         the_case.parameters, resumed, state, realisation, recorder, log);
 
       Outcome     outcome = Outcome::numerical_failure;
@@ -214,8 +215,8 @@ namespace Waker
     {
       try
         {
-          const Case<dim> the_case(parameters, communicator);
-          State<dim>      state = initial_state(the_case);
+          Case<dim>  the_case(parameters, communicator);
+          State<dim> state = initial_state(the_case);
           if (setup)
             setup(the_case, state);
           if (options.validate_only)
@@ -226,6 +227,7 @@ namespace Waker
           if (options.resume)
             share_state(communicator, state);
           Realisation<dim> realisation(the_case, state);
+          the_case.forget_initial_points();
           FileWatcher<dim> watcher(the_case.parameters.output, realisation);
           try
             {
@@ -269,10 +271,10 @@ namespace Waker
         options.quiet
           ? Log()
           : Log(std::cout, n_ranks(communicator) == 1 && Log::is_terminal());
-      std::unique_ptr<const Case<dim>> pointer;
+      std::unique_ptr<Case<dim>> pointer;
       try
         {
-          pointer = std::make_unique<const Case<dim>>(
+          pointer = std::make_unique<Case<dim>>(
             parameters,
             communicator,
             Materials(),
@@ -311,7 +313,7 @@ namespace Waker
             }
           return RunStatus::numerical_failure;
         }
-      const Case<dim>         &the_case = *pointer;
+      Case<dim>               &the_case = *pointer;
       State<dim>               state    = initial_state(the_case);
       std::vector<std::string> setup_lines;
       if (setup)

@@ -59,6 +59,10 @@ namespace Waker
          Materials             materials = {},
          const BalanceWatcher &watcher   = {});
 
+    /// Their memory is given back: of a case whose only realisation has begun.
+    void
+    forget_initial_points();
+
     const Parameters          parameters;
     const BackgroundGrid<dim> grid;
     /// Of the tractions, one each.
@@ -69,8 +73,11 @@ namespace Waker
     const LoadProgrammes<dim>           programmes;
     const PoreWater<dim>                pore_water;
     const Ground<dim>                   ground;
-    const double        full_node_mass; // Mg, of a node inside the body
+    const double full_node_mass; // Mg, of a node inside the body
+    /// At t = 0; empty after forget_initial_points().
     MaterialPoints<dim> initial_points;
+    /// Height to which their soil reaches (m).
+    double initial_height = nan;
     /// Number of each one's layer; no layer has the number of what flows in.
     std::vector<unsigned int>      layers_of_points;
     typename Walls<dim>::Tractions initial_wall_tractions; // kPa

@@ -60,8 +60,9 @@ namespace Waker
                 const GroundLine           kind);
 
   /// Height to which soil reaches (m).
+  template <int dim>
   double
-  crest_height(const MaterialPoints<3> &points);
+  crest_height(const MaterialPoints<dim> &points);
 
   /// All lines of a moment.
   /// @param crest crest_height() at t = 0
