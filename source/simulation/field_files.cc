@@ -193,11 +193,10 @@ namespace Waker
         add(FieldSeries::ground_lines,
             state.time,
             [&](const std::string &path) {
-              const auto lines =
-                ground_lines(ground,
-                             state.points,
-                             view.the_case.initial_height,
-                             ground_step(grid));
+              const auto lines = ground_lines(ground,
+                                              state.points,
+                                              view.the_case.initial_height,
+                                              ground_step(grid));
               return write_ground_lines(lines, state.time, path);
             });
   }
