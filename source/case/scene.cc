@@ -163,10 +163,10 @@ namespace Waker
       surfaces.reset(part->body());
     else
       surfaces.reset(state.points);
-    if (part != nullptr && tractions.look_at_points())
-      part->know_places();
     do_at_step(state.step, [&]() {
-      tractions.find(state.points, state.surface_vertices, surfaces);
+      tractions.find(part != nullptr ? part->points() : state.points,
+                     state.surface_vertices,
+                     surfaces);
     });
   }
 
@@ -316,7 +316,7 @@ namespace Waker
     water.find(surfaces, time);
     water.add_nodal_forces(mass, the_case->full_node_mass, on_surfaces);
     water_resultant = water.resultant();
-    tractions.add(time, points, mass, the_case->full_node_mass, on_surfaces);
+    tractions.add(time, own, mass, the_case->full_node_mass, on_surfaces);
     the_case->pore_water.add_nodal_forces(own, own_weights, on_points);
     for (std::size_t p = 0; p < own.load.size(); ++p)
       if (own.load[p] != Tensor<1, dim>())

@@ -91,14 +91,7 @@ namespace Waker
     // Of this rank's own cells, in the order of its own nodes.
     std::vector<unsigned int> n_points(n_owned(), 0);
     const auto                place = [&](const std::size_t node) {
-      const auto next =
-        std::upper_bound(intervals.begin(),
-                         intervals.end(),
-                         node,
-                         [](const std::size_t n, const Interval &interval) {
-                           return n < interval.begin;
-                         });
-      const Interval &interval = *(next - 1);
+      const CellOwners::Interval &interval = *owners->interval_of(node);
       return interval.rank == rank
                               ? static_cast<std::size_t>(interval.number - first_number +
                                           (node - interval.begin))
@@ -151,8 +144,9 @@ namespace Waker
 
     const std::vector<std::vector<std::uint64_t>> all =
       Utilities::MPI::all_gather(communicator, ends);
-    intervals.clear();
-    std::uint64_t number = 0;
+    auto          found     = std::make_shared<CellOwners>();
+    auto         &intervals = found->intervals;
+    std::uint64_t number    = 0;
     for (unsigned int r = 0; r < n_ranks; ++r)
       {
         if (r == rank)
@@ -166,34 +160,22 @@ namespace Waker
     AssertThrow(number == whole->n_nodes(), ExcInternalError());
     std::sort(intervals.begin(),
               intervals.end(),
-              [](const Interval &a, const Interval &b) {
+              [](const CellOwners::Interval &a, const CellOwners::Interval &b) {
                 return a.begin < b.begin;
               });
+    owners = std::move(found);
+    if (near_cells != nullptr)
+      sent_before += near_cells->traffic();
+    near_cells =
+      std::make_shared<const NearCells<dim>>(*whole, owners, communicator);
   }
-
-
-  namespace
-  {
-    template <typename Intervals>
-    auto
-    interval_of(const Intervals &intervals, const std::size_t node)
-    {
-      return std::upper_bound(intervals.begin(),
-                              intervals.end(),
-                              node,
-                              [](const std::size_t n, const auto &interval) {
-                                return n < interval.begin;
-                              }) -
-             1;
-    }
-  } // namespace
 
 
   template <int dim>
   unsigned int
   Partition<dim>::owner(const std::size_t node) const
   {
-    return interval_of(intervals, node)->rank;
+    return owners->owner(node);
   }
 
 
@@ -216,7 +198,7 @@ namespace Waker
   Partition<dim>::n_owned() const
   {
     std::size_t n = 0;
-    for (const Interval &interval : intervals)
+    for (const CellOwners::Interval &interval : owners->intervals)
       if (interval.rank == rank)
         n += interval.end - interval.begin;
     return n;
@@ -237,7 +219,7 @@ namespace Waker
         first[d] = whole->n_nodes_per_direction()[d];
         last[d]  = -1;
       }
-    for (const Interval &interval : intervals)
+    for (const CellOwners::Interval &interval : owners->intervals)
       if (interval.rank == rank)
         for (std::size_t node = interval.begin; node < interval.end; ++node)
           {
@@ -270,7 +252,7 @@ namespace Waker
     std::vector<std::uint64_t> numbers;
     // 1: reached, 2: own
     std::vector<unsigned char> flags(window->n_nodes(), 0);
-    for (const Interval &interval : intervals)
+    for (const CellOwners::Interval &interval : owners->intervals)
       if (interval.rank == rank)
         for (std::size_t node = interval.begin; node < interval.end; ++node)
           {
@@ -306,7 +288,7 @@ namespace Waker
           for (unsigned int d = 0; d < dim; ++d)
             index[d] += first[d];
           const std::size_t there    = whole->node(index);
-          const auto        interval = interval_of(intervals, there);
+          const auto        interval = owners->interval_of(there);
           foreign.push_back(node);
           numbers.push_back(interval->number + (there - interval->begin));
         }
@@ -316,7 +298,8 @@ namespace Waker
                                                               foreign,
                                                               first_number,
                                                               whole->n_nodes(),
-                                                              numbers));
+                                                              numbers),
+                         near_cells);
     return window;
   }
 
@@ -329,13 +312,13 @@ namespace Waker
                          double *const              all) const
   {
     std::vector<int> n(n_ranks, 0), begin(n_ranks, 0);
-    for (const Interval &interval : intervals)
+    for (const CellOwners::Interval &interval : owners->intervals)
       n[interval.rank] += n_components * (interval.end - interval.begin);
     for (unsigned int r = 1; r < n_ranks; ++r)
       begin[r] = begin[r - 1] + n[r - 1];
     std::vector<double> mine, received(begin.back() + n.back());
     mine.reserve(n[rank]);
-    for (const Interval &interval : intervals)
+    for (const CellOwners::Interval &interval : owners->intervals)
       if (interval.rank == rank)
         for (std::size_t node = interval.begin; node < interval.end; ++node)
           {
@@ -355,7 +338,7 @@ namespace Waker
                    MPI_DOUBLE,
                    communicator);
     // Each rank's intervals are ascending, as they are here.
-    for (const Interval &interval : intervals)
+    for (const CellOwners::Interval &interval : owners->intervals)
       std::copy_n(received.data() + n_components * interval.number,
                   n_components * (interval.end - interval.begin),
                   all + n_components * interval.begin);

@@ -64,34 +64,35 @@ namespace Waker
 
   template <int dim>
   void
-  PointShares<dim>::sort(const MaterialPoints<dim> &the_points)
+  PointShares<dim>::sort(const std::vector<Point<dim>> &positions)
   {
     // Cells are numbered by their lower left node.
-    points = &the_points;
+    points = &positions;
     first.assign(grid->n_nodes() + 1, 0);
-    cell.resize(points->n_points());
-    order.resize(points->n_points());
-    for (std::size_t p = 0; p < points->n_points(); ++p)
+    cell.resize(points->size());
+    order.resize(points->size());
+    for (std::size_t p = 0; p < points->size(); ++p)
       {
-        cell[p] = grid->node(grid->cell_index(points->position[p]));
+        cell[p] = grid->node(grid->cell_index((*points)[p]));
         ++first[cell[p] + 1];
       }
     for (unsigned int c = 0; c < grid->n_nodes(); ++c)
       first[c + 1] += first[c];
     // Fill each cell from its end; then its start is what is left.
-    for (std::size_t p = points->n_points(); p-- > 0;)
+    for (std::size_t p = points->size(); p-- > 0;)
       order[--first[cell[p] + 1]] = p;
     for (unsigned int c = 0; c < grid->n_nodes(); ++c)
       first[c] = first[c + 1];
-    first[grid->n_nodes()] = points->n_points();
+    first[grid->n_nodes()] = points->size();
   }
 
 
   template <int dim>
   std::uint32_t
-  PointShares<dim>::nearest(const Point<dim> &x) const
+  PointShares<dim>::nearest(const Point<dim> &x, const int n_rings) const
   {
-    Assert(!order.empty(), ExcInternalError());
+    Assert(!order.empty() || n_rings < std::numeric_limits<int>::max(),
+           ExcInternalError());
     auto index   = grid->cell_index(x);
     int  longest = 0;
     for (unsigned int d = 0; d < dim; ++d)
@@ -101,9 +102,9 @@ namespace Waker
         longest     = std::max(longest, n);
       }
 
-    std::uint32_t best     = 0;
+    std::uint32_t best     = none;
     double        distance = -1.; // squared
-    for (int ring = 0; ring < longest; ++ring)
+    for (int ring = 0; ring < std::min(longest, n_rings); ++ring)
       {
         // What is outside this ring's inside is at least so far away.
         const double unseen = (ring - 1) * grid->cell_size();
@@ -113,7 +114,7 @@ namespace Waker
           for (std::uint32_t k = first[c]; k < first[c + 1]; ++k)
             {
               const std::uint32_t p = order[k];
-              const double        s = (points->position[p] - x).norm_square();
+              const double        s = ((*points)[p] - x).norm_square();
               if (distance < 0. || s < distance || (s == distance && p < best))
                 {
                   distance = s;
@@ -123,6 +124,42 @@ namespace Waker
         });
       }
     return best;
+  }
+
+
+  template <int dim>
+  void
+  PointShares<dim>::visit_within(
+    const Point<dim>                         &x,
+    const double                              radius,
+    const std::function<void(std::uint32_t)> &visit) const
+  {
+    using Index = typename BackgroundGrid<dim>::Index;
+    Tensor<1, dim> corner;
+    for (unsigned int d = 0; d < dim; ++d)
+      corner[d] = radius;
+    Index low  = grid->cell_index(x - corner);
+    Index high = grid->cell_index(x + corner);
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        const int last = grid->n_nodes_per_direction()[d] - 1;
+        low[d]         = std::min(std::max(low[d], 0), last);
+        high[d]        = std::min(std::max(high[d], 0), last);
+      }
+    Index cell = low;
+    while (cell[dim - 1] <= high[dim - 1])
+      {
+        const unsigned int c = grid->node(cell);
+        for (std::uint32_t k = first[c]; k < first[c + 1]; ++k)
+          if ((*points)[order[k]].distance(x) <= radius)
+            visit(order[k]);
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            if (++cell[d] <= high[d] || d == dim - 1)
+              break;
+            cell[d] = low[d];
+          }
+      }
   }
 
 
@@ -141,13 +178,13 @@ namespace Waker
         const Facet<dim> piece = pending.back();
         pending.pop_back();
         const std::uint32_t p   = nearest(centroid(piece));
-        const Point<dim>   &x_p = points->position[p];
+        const Point<dim>   &x_p = (*points)[p];
         bool                cut = false;
         for (unsigned int k = 0; k < dim && !cut; ++k)
           {
             const Point<dim>   &v   = piece.vertices[k];
             const std::uint32_t q   = nearest(v);
-            const Point<dim>   &x_q = points->position[q];
+            const Point<dim>   &x_q = (*points)[q];
             if (q == p ||
                 (v - x_q).norm_square() >= (v - x_p).norm_square() - tolerance)
               continue;

@@ -117,8 +117,77 @@ namespace Waker
 
 
   template <int dim>
+  std::vector<std::size_t>
+  RidingLoad<dim>::find_points(const NodeExchange        &ranks,
+                               const MaterialPoints<dim> &points) const
+  {
+    std::vector<std::size_t> places(pieces.size());
+    if (ranks.is_one_rank())
+      {
+        for (std::size_t k = 0; k < pieces.size(); ++k)
+          places[k] = find_point(points, pieces[k].point, pieces[k].id);
+        return places;
+      }
+    // Of several ranks each has its points in some order.
+    std::vector<std::uint64_t> ids(pieces.size());
+    for (std::size_t k = 0; k < pieces.size(); ++k)
+      ids[k] = pieces[k].id;
+    std::sort(ids.begin(), ids.end());
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+    std::vector<std::size_t> place_of_id(ids.size(), points.n_points());
+    const auto               number = [&](const std::uint64_t id) {
+      return std::lower_bound(ids.begin(), ids.end(), id) - ids.begin();
+    };
+    for (std::size_t p = 0; p < points.n_points() && !ids.empty(); ++p)
+      if (const std::uint64_t id = points.id[p];
+          id >= ids.front() && id <= ids.back())
+        if (const std::size_t i = number(id); ids[i] == id)
+          place_of_id[i] = p;
+    for (std::size_t k = 0; k < pieces.size(); ++k)
+      places[k] = place_of_id[number(pieces[k].id)];
+    return places;
+  }
+
+
+  template <int dim>
+  std::vector<typename RidingLoad<dim>::Vertices>
+  RidingLoad<dim>::ride_with_points(const NodeExchange        &ranks,
+                                    const MaterialPoints<dim> &points) const
+  {
+    std::vector<Vertices>          placed;
+    const std::vector<std::size_t> places = find_points(ranks, points);
+    for (std::size_t k = 0; k < pieces.size(); ++k)
+      {
+        const std::size_t p = places[k];
+        if (p == points.n_points())
+          continue;
+        // It keeps its place on a domain that may stretch.
+        const Piece &piece = pieces[k];
+        placed.push_back({k, {}});
+        for (unsigned int v = 0; v < dim; ++v)
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              const double l0      = piece.half_size[d];
+              const double stretch = l0 > 0. ? points.half_size[p][d] / l0 : 1.;
+              placed.back().x[v][d] = points.position[p][d] +
+                                      stretch * (piece.start.vertices[v][d] -
+                                                 points.initial_position[p][d]);
+            }
+      }
+    if (ranks.is_one_rank())
+      return placed;
+    placed = ranks.all_gather(placed);
+    std::sort(placed.begin(), placed.end(), [](const auto &a, const auto &b) {
+      return a.piece < b.piece;
+    });
+    return placed;
+  }
+
+
+  template <int dim>
   void
-  RidingLoad<dim>::place(const MaterialPoints<dim>     &points,
+  RidingLoad<dim>::place(const NodeExchange            &ranks,
+                         const MaterialPoints<dim>     &points,
                          const std::vector<Point<dim>> &vertices,
                          Facets<dim>                   &facets,
                          std::vector<Placed>           &placed) const
@@ -126,42 +195,36 @@ namespace Waker
     AssertDimension(vertices.size(), has_vertices ? dim * pieces.size() : 0);
     facets.clear();
     placed.clear();
-    for (std::size_t k = 0; k < pieces.size(); ++k)
+    const auto carried = [&](const std::size_t k) {
+      if (!has_vertices)
+        return pieces[k].start;
+      std::array<Point<dim>, dim> x;
+      for (unsigned int v = 0; v < dim; ++v)
+        x[v] = vertices[dim * k + v];
+      Facet<dim> facet = make_facet<dim>(x);
+      facet.in_hole    = pieces[k].start.in_hole;
+      return facet;
+    };
+    const auto add = [&](const std::size_t k, const Facet<dim> &facet) {
+      facets.push_back(facet);
+      const Facet<dim> there = carried(k);
+      placed.push_back({&pieces[k], there.measure() * there.normal});
+    };
+    if (!on_points)
       {
-        const Piece &piece   = pieces[k];
-        Facet<dim>   carried = piece.start;
-        if (has_vertices)
-          {
-            std::array<Point<dim>, dim> x;
-            for (unsigned int v = 0; v < dim; ++v)
-              x[v] = vertices[dim * k + v];
-            carried         = make_facet<dim>(x);
-            carried.in_hole = piece.start.in_hole;
-          }
-        if (on_points)
-          {
-            const std::size_t p = find_point(points, piece.point, piece.id);
-            if (p == points.n_points())
-              continue;
-            // It keeps its place on a domain that may stretch.
-            Facet<dim> facet = piece.start;
-            for (Point<dim> &x : facet.vertices)
-              for (unsigned int d = 0; d < dim; ++d)
-                {
-                  const double l0 = piece.half_size[d];
-                  const double stretch =
-                    l0 > 0. ? points.half_size[p][d] / l0 : 1.;
-                  x[d] = points.position[p][d] +
-                         stretch * (x[d] - points.initial_position[p][d]);
-                }
-            const bool in_hole = facet.in_hole;
-            facet              = make_facet<dim>(facet.vertices);
-            facet.in_hole      = in_hole;
-            facets.push_back(facet);
-          }
-        else
-          facets.push_back(carried);
-        placed.push_back({&piece, carried.measure() * carried.normal});
+        for (std::size_t k = 0; k < pieces.size(); ++k)
+          add(k, carried(k));
+        return;
+      }
+    for (const Vertices &now : ride_with_points(ranks, points))
+      {
+        std::array<Point<dim>, dim> x;
+        for (unsigned int v = 0; v < dim; ++v)
+          for (unsigned int d = 0; d < dim; ++d)
+            x[v][d] = now.x[v][d];
+        Facet<dim> facet = make_facet<dim>(x);
+        facet.in_hole    = pieces[now.piece].start.in_hole;
+        add(now.piece, facet);
       }
   }
 

@@ -1,12 +1,24 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The loads that tractions give to points (eqs. 3.1 and 3.2 of Remmerswaal
 // 2023).
+#include <waker/grid/near_cells.h>
 #include <waker/loads/tractions.h>
+
+#include <algorithm>
 
 namespace Waker
 {
   namespace
   {
+    /// What ranks tell each other of a point.
+    template <int dim>
+    struct LoadedPoint
+    {
+      std::uint64_t           id;
+      std::array<double, dim> position, force; // m, kN
+    };
+
+
     std::string
     array_name(const TractionParameters &parameters, const unsigned int d)
     {
@@ -31,14 +43,16 @@ namespace Waker
   {
     item.point_loads.assign(n_points, Tensor<1, dim>());
     for (const Facet<dim> &facet : item.loaded)
-      shares.split(facet, [&](const Facet<dim> &piece, const std::uint32_t p) {
-        // The mid-point rule is exact for what is linear.
-        Point<dim> middle;
-        for (const Point<dim> &x : piece.vertices)
-          middle += x / static_cast<double>(dim);
-        item.point_loads[p] +=
-          piece.measure() * item.traction.value(piece.normal, middle);
-      });
+      surface_points.split(facet,
+                           [&](const Facet<dim> &piece, const std::uint32_t p) {
+                             // The mid-point rule is exact for what is linear.
+                             Point<dim> middle;
+                             for (const Point<dim> &x : piece.vertices)
+                               middle += x / static_cast<double>(dim);
+                             item.point_loads[p] +=
+                               piece.measure() *
+                               item.traction.value(piece.normal, middle);
+                           });
   }
 
 
@@ -84,9 +98,44 @@ namespace Waker
     for (Tensor<1, dim> &force : item.point_loads)
       force *= item.factor;
     // Eq. 3.2, with linear functions also under GIMP.
+    if (ranks->is_one_rank())
+      {
+        for (std::size_t p = 0; p < points.n_points(); ++p)
+          if (item.point_loads[p] != Tensor<1, dim>())
+            load.add(points.position[p], item.point_loads[p]);
+        return;
+      }
+    // Own nodes get what is in cells of others, too: the next ones.
+    const auto tell = [&](const std::size_t p, LoadedPoint<dim> &told) {
+      told.id = points.id[p];
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          told.position[d] = points.position[p][d];
+          told.force[d]    = item.point_loads[p][d];
+        }
+      return item.point_loads[p] != Tensor<1, dim>();
+    };
+    std::vector<LoadedPoint<dim>> loaded =
+      window->near_cells().template gather<LoadedPoint<dim>>(points.position,
+                                                             0.,
+                                                             tell);
     for (std::size_t p = 0; p < points.n_points(); ++p)
-      if (item.point_loads[p] != Tensor<1, dim>())
-        load.add(points.position[p], item.point_loads[p]);
+      if (LoadedPoint<dim> own; tell(p, own))
+        loaded.push_back(own);
+    std::sort(loaded.begin(), loaded.end(), [](const auto &a, const auto &b) {
+      return a.id < b.id;
+    });
+    for (const LoadedPoint<dim> &told : loaded)
+      {
+        Point<dim>     x;
+        Tensor<1, dim> force;
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            x[d]     = told.position[d];
+            force[d] = told.force[d];
+          }
+        load.add(x, force);
+      }
   }
 
 

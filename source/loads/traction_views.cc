@@ -39,7 +39,7 @@ namespace Waker
     return {item.parameters.name,
             &item.loaded,
             is_alone ? &item.force : &item.whole_force,
-            &item.point_loads};
+            item.placement->on_points() ? &item.point_loads : nullptr};
   }
 
 

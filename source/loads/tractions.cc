@@ -33,9 +33,10 @@ namespace Waker
                             const std::vector<UserSurface<dim>>   &surfaces,
                             const std::vector<RidingLoad<dim>>    &riding)
     : grid(&grid)
+    , window(&window)
     , ranks(&window.exchange())
     , load(window)
-    , shares(grid)
+    , surface_points(grid, window)
   {
     AssertDimension(surfaces.size(), parameters.size());
     AssertDimension(riding.size(), parameters.size());
@@ -63,17 +64,6 @@ namespace Waker
                                std::string(name_of(parameters[i].method)) +
                                "\" disagree"));
       }
-  }
-
-
-  template <int dim>
-  bool
-  Tractions<dim>::look_at_points() const
-  {
-    return std::any_of(items.begin(), items.end(), [](const Item &item) {
-      return item.placement->on_points() ||
-             (item.rides() && item.riding->on_points);
-    });
   }
 
 
@@ -117,7 +107,7 @@ namespace Waker
                        const SurfaceVertices<dim> &vertices,
                        const SurfaceFinder<dim>   &finder)
   {
-    bool sorted = false;
+    std::vector<const Facets<dim> *> on_points;
     for (std::size_t i = 0; i < items.size(); ++i)
       {
         Item &item = items[i];
@@ -138,16 +128,16 @@ namespace Waker
                                        "left the grid");
           }
         if (item.rides())
-          item.riding->place(points, vertices[i], item.part, item.placed);
+          item.riding->place(
+            *ranks, points, vertices[i], item.part, item.placed);
         else
           item.traction.select(
             item.placement->surface(vertices[i], finder, path), item.part);
-        if (item.placement->on_points() && !sorted)
-          {
-            shares.sort(points);
-            sorted = true;
-          }
+        if (item.placement->on_points())
+          on_points.push_back(&item.part);
       }
+    if (!on_points.empty())
+      surface_points.find(points, on_points);
   }
 
 
@@ -156,7 +146,8 @@ namespace Waker
   Tractions<dim>::ride(const MaterialPoints<dim>    &points,
                        std::vector<RidingLoad<dim>> &riding)
   {
-    shares.sort(points);
+    PointShares<dim> shares(*grid);
+    shares.sort(points.position);
     for (std::size_t i = 0; i < items.size(); ++i)
       {
         const Item &item = items[i];

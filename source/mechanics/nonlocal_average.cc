@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Waker
 {
@@ -23,6 +24,17 @@ namespace Waker
       const float p4 = p2 * p2;
       return p4 * p4;
     }
+
+
+    /// To 20 binary digits: the order in which a sum was made does not matter
+    /// any more.
+    double
+    rounded(const double x)
+    {
+      int          exponent;
+      const double mantissa = std::frexp(x, &exponent);
+      return std::ldexp(std::round(std::ldexp(mantissa, 20)), exponent - 20);
+    }
   } // namespace
 
 
@@ -37,19 +49,43 @@ namespace Waker
 
 
   template <int dim>
+  typename NonlocalAverage<dim>::Extent
+  NonlocalAverage<dim>::extent_of(const std::vector<std::uint32_t> &members,
+                                  const std::vector<Point<dim>>    &positions,
+                                  const std::vector<double>        &volumes)
+  {
+    Extent extent;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        extent.low[d]  = std::numeric_limits<double>::max();
+        extent.high[d] = std::numeric_limits<double>::lowest();
+      }
+    extent.n = static_cast<double>(members.size());
+    for (const std::uint32_t p : members)
+      {
+        extent.volume += volumes[p];
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            extent.low[d]  = std::min(extent.low[d], positions[p][d]);
+            extent.high[d] = std::max(extent.high[d], positions[p][d]);
+          }
+      }
+    return extent;
+  }
+
+
+  template <int dim>
   void
   NonlocalAverage<dim>::reinit(const std::vector<std::uint32_t> &members,
                                const std::vector<Point<dim>>    &positions,
                                const std::vector<double>        &volumes,
-                               const std::vector<double>        &values)
+                               const std::vector<double>        &values,
+                               const Extent                     &all)
   {
-    sort(members, positions, volumes);
+    lay_bins(all);
+    sort(members, positions);
 
-    const std::size_t n    = members.size();
-    double            mean = 0.;
-    for (const std::uint32_t p : members)
-      mean += volumes[p];
-    mean /= std::max<std::size_t>(n, 1);
+    const std::size_t n = members.size();
     // Beyond the end there is nothing, far away: loops may run over it.
     for (auto &x : place)
       x.assign(n + n_lanes, 0.f);
@@ -61,7 +97,7 @@ namespace Waker
         const std::uint32_t p = sorted[k];
         for (unsigned int d = 0; d < dim; ++d)
           place[d][k] = (positions[p][d] - corner[d]) / length;
-        volume[k]  = volumes[p] / mean;
+        volume[k]  = volumes[p] / mean_volume;
         value[k]   = values[p];
         content[k] = volume[k] * static_cast<float>(value[k]);
       }
@@ -77,29 +113,19 @@ namespace Waker
 
 
   template <int dim>
-  void
-  NonlocalAverage<dim>::sort(const std::vector<std::uint32_t> &members,
-                             const std::vector<Point<dim>>    &positions,
-                             const std::vector<double>        &volumes)
+  double
+  NonlocalAverage<dim>::lay_bins(const Extent &all)
   {
-    Point<dim> low, high;
-    double     sum = 0.;
-    for (std::size_t i = 0; i < members.size(); ++i)
-      {
-        const Point<dim> &x = positions[members[i]];
-        sum += volumes[members[i]];
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            low[d]  = i == 0 ? x[d] : std::min(low[d], x[d]);
-            high[d] = i == 0 ? x[d] : std::max(high[d], x[d]);
-          }
-      }
+    Point<dim> low = all.low, high = all.high;
+    if (all.n == 0.)
+      low = high = Point<dim>();
     corner = low;
 
     // Bins as large as points, but not much smaller than the reach; not many
     // more than points either, if these lie scattered.
-    const double n = std::max<std::size_t>(members.size(), 1);
-    bin_size = std::max(0.1 * reach, std::pow(sum / n, 1. / dim) / length);
+    const double n = std::max(all.n, 1.);
+    mean_volume    = all.volume > 0. ? rounded(all.volume / n) : 1.;
+    bin_size = std::max(0.1 * reach, std::pow(mean_volume, 1. / dim) / length);
     while (true)
       {
         double n_all = 1.;
@@ -109,15 +135,44 @@ namespace Waker
           break;
         bin_size *= 1.25;
       }
+    for (unsigned int d = 0; d < dim; ++d)
+      n_of_all[d] =
+        static_cast<int>((high[d] - low[d]) / (length * bin_size)) + 1;
+    // Places are floats.
+    const double extent = (high - low).norm();
+    return length * (reach + bin_size) + 1e-6 * extent;
+  }
+
+
+  template <int dim>
+  void
+  NonlocalAverage<dim>::sort(const std::vector<std::uint32_t> &members,
+                             const std::vector<Point<dim>>    &positions)
+  {
+    const double inverse = 1. / (length * bin_size);
+    const auto   bin_at  = [&](const double x, const unsigned int d) {
+      return std::min(static_cast<int>((x - corner[d]) * inverse),
+                      n_of_all[d] - 1);
+    };
+    // Those of the members, which on several ranks are a part of all.
+    Point<dim> low, high;
+    for (std::size_t i = 0; i < members.size(); ++i)
+      {
+        const Point<dim> &x = positions[members[i]];
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            low[d]  = i == 0 ? x[d] : std::min(low[d], x[d]);
+            high[d] = i == 0 ? x[d] : std::max(high[d], x[d]);
+          }
+      }
     unsigned int n_all = 1;
     for (unsigned int d = 0; d < dim; ++d)
       {
-        n_bins[d] =
-          static_cast<int>((high[d] - low[d]) / (length * bin_size)) + 1;
+        first_bin[d] = members.empty() ? 0 : bin_at(low[d], d);
+        n_bins[d] = members.empty() ? 1 : bin_at(high[d], d) + 1 - first_bin[d];
         n_all *= n_bins[d];
       }
 
-    const double inverse = 1. / (length * bin_size);
     bin_of.resize(members.size());
     starts.assign(n_all + 1, 0);
     for (std::size_t i = 0; i < members.size(); ++i)
@@ -125,9 +180,7 @@ namespace Waker
         const Point<dim> &x   = positions[members[i]];
         unsigned int      bin = 0;
         for (int d = dim - 1; d >= 0; --d)
-          bin = bin * n_bins[d] +
-                std::min(static_cast<int>((x[d] - corner[d]) * inverse),
-                         n_bins[d] - 1);
+          bin = bin * n_bins[d] + (bin_at(x[d], d) - first_bin[d]);
         bin_of[i] = bin;
         ++starts[bin + 1];
       }
@@ -146,24 +199,28 @@ namespace Waker
   {
     stretches.clear();
     const double inverse = 1. / bin_size;
-    const auto   bin     = [&](const double x, const unsigned int d) {
-      return std::min(std::max(static_cast<int>(std::floor(x * inverse)), 0),
-                      n_bins[d] - 1);
+    // From the first one that has members.
+    const auto bin = [&](const double x, const unsigned int d) {
+      return std::min(
+        std::max(static_cast<int>(std::floor(x * inverse)) - first_bin[d], 0),
+        n_bins[d] - 1);
     };
     // How far a row of bins is from the point, in one direction.
-    const auto distance = [&](const int row, const double x) {
-      return std::max({row * bin_size - x, x - (row + 1) * bin_size, 0.});
-    };
+    const auto distance =
+      [&](const int place, const unsigned int d, const double x) {
+        const int row = first_bin[d] + place;
+        return std::max({row * bin_size - x, x - (row + 1) * bin_size, 0.});
+      };
     const double x = place[0][k], y = place[1][k], z = place[dim - 1][k];
     bool         has_sources = false;
     for (int i_z = dim == 3 ? bin(z - reach, 2) : 0;
          i_z <= (dim == 3 ? bin(z + reach, 2) : 0);
          ++i_z)
       {
-        const double in_z = dim == 3 ? distance(i_z, z) : 0.;
+        const double in_z = dim == 3 ? distance(i_z, 2, z) : 0.;
         for (int i_y = bin(y - reach, 1); i_y <= bin(y + reach, 1); ++i_y)
           {
-            const double in_y   = distance(i_y, y);
+            const double in_y   = distance(i_y, 1, y);
             const double square = reach * reach - in_y * in_y - in_z * in_z;
             if (square <= 0.)
               continue;

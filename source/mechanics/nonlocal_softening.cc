@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <deal.II/base/mpi.h>
-
+#include <waker/grid/near_cells.h>
 #include <waker/mechanics/nonlocal_softening.h>
 
 #include <algorithm>
@@ -26,51 +25,90 @@ namespace Waker
   }
 
 
+  namespace
+  {
+    /// What a rank is told of a point.
+    template <int dim>
+    struct Told
+    {
+      std::array<double, dim> position;
+      double                  volume, increment;
+      std::uint64_t           id;
+      std::uint64_t           place; // of an own one
+    };
+
+
+    /// That of all ranks.
+    template <int dim>
+    typename NonlocalAverage<dim>::Extent
+    of_all(typename NonlocalAverage<dim>::Extent extent,
+           const NodeExchange                   &ranks)
+    {
+      double ends[2 * dim], sums[] = {extent.volume, extent.n};
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          ends[d]       = -extent.low[d];
+          ends[dim + d] = extent.high[d];
+        }
+      ranks.largest(ends, 2 * dim);
+      ranks.sum(sums, 2);
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          extent.low[d]  = -ends[d];
+          extent.high[d] = ends[dim + d];
+        }
+      extent.volume = sums[0];
+      extent.n      = sums[1];
+      return extent;
+    }
+  } // namespace
+
+
   template <int dim>
   void
-  NonlocalSoftening<dim>::gather(const NodeExchange        &ranks,
+  NonlocalSoftening<dim>::gather(const BackgroundGrid<dim> &grid,
+                                 const double               reach,
                                  const MaterialPoints<dim> &points,
                                  const std::vector<double> &increments,
                                  const unsigned int         material)
   {
-    // Of each point: place, volume, increment, and its id, rank and own place
-    // as doubles, which hold integers up to 2^53.
-    constexpr unsigned int n_numbers = dim + 5;
-    std::vector<double>    mine;
-    const double rank = Utilities::MPI::this_mpi_process(ranks.communicator());
-    for (std::size_t p = 0; p < points.n_points(); ++p)
-      if (points.material[p] == material)
-        {
-          for (unsigned int d = 0; d < dim; ++d)
-            mine.push_back(points.position[p][d]);
-          for (const double number : {points.volume[p],
-                                      increments[p],
-                                      static_cast<double>(points.id[p]),
-                                      rank,
-                                      static_cast<double>(p)})
-            mine.push_back(number);
-        }
-    const std::vector<double>                   all = ranks.all_gather(mine);
-    std::vector<std::pair<double, std::size_t>> order; // id, begin
-    for (std::size_t k = 0; k < all.size(); k += n_numbers)
-      order.emplace_back(all[k + dim + 2], k);
-    std::sort(order.begin(), order.end());
+    const auto tell = [&](const std::size_t p, Told<dim> &told) {
+      if (points.material[p] != material)
+        return false;
+      for (unsigned int d = 0; d < dim; ++d)
+        told.position[d] = points.position[p][d];
+      told.volume    = points.volume[p];
+      told.increment = increments[p];
+      told.id        = points.id[p];
+      told.place     = not_here;
+      return true;
+    };
+    std::vector<Told<dim>> all =
+      grid.near_cells().template gather<Told<dim>>(points.position,
+                                                   reach,
+                                                   tell);
+    for (const std::uint32_t p : members)
+      {
+        all.emplace_back();
+        tell(p, all.back());
+        all.back().place = p;
+      }
+    std::sort(all.begin(), all.end(), [](const auto &a, const auto &b) {
+      return a.id < b.id;
+    });
 
-    const std::size_t n = order.size();
+    const std::size_t n = all.size();
     around.position.resize(n);
     around.volume.resize(n);
     around.increment.resize(n);
     around.place.resize(n);
     for (std::size_t i = 0; i < n; ++i)
       {
-        const double *const numbers = all.data() + order[i].second;
         for (unsigned int d = 0; d < dim; ++d)
-          around.position[i][d] = numbers[d];
-        around.volume[i]    = numbers[dim];
-        around.increment[i] = numbers[dim + 1];
-        around.place[i]     = numbers[dim + 3] == rank
-                                ? static_cast<std::uint32_t>(numbers[dim + 4])
-                                : not_here;
+          around.position[i][d] = all[i].position[d];
+        around.volume[i]    = all[i].volume;
+        around.increment[i] = all[i].increment;
+        around.place[i]     = static_cast<std::uint32_t>(all[i].place);
       }
   }
 
@@ -80,9 +118,10 @@ namespace Waker
   NonlocalSoftening<dim>::soften(
     const std::vector<double>           &increments,
     const std::vector<std::vector<int>> &variable_arrays,
-    const NodeExchange                  &ranks,
+    const BackgroundGrid<dim>           &grid,
     MaterialPoints<dim>                 &points)
   {
+    const NodeExchange &ranks    = grid.exchange();
     const bool          on_ranks = !ranks.is_one_rank();
     std::vector<double> variables;
     for (MaterialAverage &of_material : averages)
@@ -100,13 +139,19 @@ namespace Waker
         NonlocalAverage<dim> &average = of_material.average;
         if (on_ranks)
           {
-            gather(ranks, points, increments, of_material.number);
+            const auto all = of_all<dim>(average.extent_of(members,
+                                                           points.position,
+                                                           points.volume),
+                                         ranks);
+            gather(grid,
+                   average.lay_bins(all),
+                   points,
+                   increments,
+                   of_material.number);
             members.resize(around.place.size());
             std::iota(members.begin(), members.end(), 0u);
-            average.reinit(members,
-                           around.position,
-                           around.volume,
-                           around.increment);
+            average.reinit(
+              members, around.position, around.volume, around.increment, all);
           }
         else
           average.reinit(members, points.position, points.volume, increments);

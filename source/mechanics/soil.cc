@@ -120,7 +120,7 @@ namespace Waker
   Soil<dim>::accept(const NodalVector &, MaterialPoints<dim> &points)
   {
     stress_report = stress_update.accept(points);
-    stress_update.soften(points, reached.ranks());
+    stress_update.soften(points, weights->background_grid());
     return Tensor<1, dim>(); // it holds nothing
   }
 

@@ -290,11 +290,11 @@ namespace Waker
 
   template <int dim>
   void
-  StressUpdate<dim>::soften(MaterialPoints<dim> &points,
-                            const NodeExchange  &ranks)
+  StressUpdate<dim>::soften(MaterialPoints<dim>       &points,
+                            const BackgroundGrid<dim> &grid)
   {
     if (nonlocal.is_used())
-      nonlocal.soften(increments, variable_arrays, ranks, points);
+      nonlocal.soften(increments, variable_arrays, grid, points);
   }
 
 

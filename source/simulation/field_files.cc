@@ -9,7 +9,6 @@
 #include <waker/output/wall_writer.h>
 #include <waker/simulation/field_files.h>
 
-#include <deque>
 
 namespace Waker
 {
@@ -100,14 +99,12 @@ namespace Waker
     // A rank without points has none of their arrays.
     if (!state.points.load.empty())
       loads.push_back({"load", "kN", &own.points.load});
-    std::deque<std::vector<Tensor<1, dim>>> of_tractions;
     for (std::size_t i = 0; i < view.scene.tractions.size(); ++i)
       {
         const auto traction = view.scene.tractions.view(i);
-        if (traction.point_loads->empty())
-          continue;
-        of_tractions.push_back(own.rows.of(*traction.point_loads));
-        loads.push_back({"load_" + traction.name, "kN", &of_tractions.back()});
+        if (traction.point_loads != nullptr)
+          loads.push_back(
+            {"load_" + traction.name, "kN", traction.point_loads});
       }
     add(
       FieldSeries::particles,

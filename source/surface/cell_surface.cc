@@ -2,6 +2,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <waker/base/errors.h>
+#include <waker/particles/near_points.h>
 #include <waker/surface/cell_surface.h>
 
 #include <algorithm>
@@ -13,53 +14,6 @@ namespace Waker
 {
   namespace
   {
-    /// The two triangles, or the segment, of the face of a box in direction d,
-    /// its outside on the lower (0) or upper (1) side.
-    void
-    add_face(const Point<2>    &lower,
-             const Point<2>    &upper,
-             const unsigned int d,
-             const unsigned int side,
-             const int          on_face,
-             Facets<2>         &facets)
-    {
-      std::array<Point<2>, 2> ends = {{lower, upper}};
-      for (Point<2> &x : ends)
-        x[d] = side == 0 ? lower[d] : upper[d];
-      // The body is on the left: up on the right side, back on the top.
-      if ((d == 0) != (side == 1))
-        std::swap(ends[0], ends[1]);
-      facets.push_back(make_facet<2>(ends, on_face));
-    }
-
-
-    void
-    add_face(const Point<3>    &lower,
-             const Point<3>    &upper,
-             const unsigned int d,
-             const unsigned int side,
-             const int          on_face,
-             Facets<3>         &facets)
-    {
-      // Anticlockwise seen from above direction d.
-      const unsigned int      s = (d + 1) % 3, t = (d + 2) % 3;
-      std::array<Point<3>, 4> x;
-      for (unsigned int k = 0; k < 4; ++k)
-        {
-          x[k][d] = side == 0 ? lower[d] : upper[d];
-          x[k][s] = k == 0 || k == 3 ? lower[s] : upper[s];
-          x[k][t] = k < 2 ? lower[t] : upper[t];
-        }
-      if (side == 0)
-        std::swap(x[1], x[3]);
-      facets.push_back(make_facet<3>({{x[0], x[1], x[2]}}, on_face));
-      facets.push_back(make_facet<3>({{x[0], x[2], x[3]}}, on_face));
-    }
-
-
-    /// Less than this share of a cell is round-off.
-    constexpr double share_tolerance = 1e-9;
-
     /// A block's volume may differ by this share from that of its points, which
     /// a deformation has moved.
     constexpr double share_difference = 0.05;
@@ -101,39 +55,17 @@ namespace Waker
 
   template <int dim>
   void
-  CellSurface<dim>::add_faces(const Index &index,
-                              const Part  &part,
-                              Facets<dim> &facets) const
+  CellSurface<dim>::find_active(const Body<dim>     &body,
+                                const ShapeFunctions functions,
+                                Facets<dim>         &facets)
   {
-    Point<dim> lower, upper;
-    for (unsigned int d = 0; d < dim; ++d)
-      {
-        const double h = grid->cell_size();
-        lower[d]       = grid->origin()[d] + h * (index[d] + part[d][0]);
-        upper[d]       = grid->origin()[d] + h * (index[d] + part[d][1]);
-      }
-    for (unsigned int d = 0; d < dim; ++d)
-      for (unsigned int side = 0; side < 2; ++side)
-        {
-          const Neighbour next = neighbour(index, d, side);
-          if (next != Neighbour::soil)
-            add_face(lower,
-                     upper,
-                     d,
-                     side,
-                     next == Neighbour::wall ? static_cast<int>(2 * d + side)
-                                             : -1,
-                     facets);
-        }
-  }
-
-
-  template <int dim>
-  void
-  CellSurface<dim>::find_active(const MaterialPoints<dim> &points,
-                                const ShapeFunctions       functions,
-                                Facets<dim>               &facets)
-  {
+    // What lies in own cells, and in those next to them.
+    const MaterialPoints<dim> &points =
+      own_and_near(body,
+                   grid->cell_size() + (functions == ShapeFunctions::gimp
+                                          ? largest_half_size(body.own())
+                                          : 0.),
+                   around);
     std::fill(share.begin(), share.end(), 0.);
     const double inverse_h = grid->inverse_cell_size();
     for (std::size_t p = 0; p < points.n_points(); ++p)
@@ -170,10 +102,8 @@ namespace Waker
 
     Part whole;
     whole.fill({{0., 1.}});
-    facets.clear();
-    for (unsigned int c = 0; c < share.size(); ++c)
-      if (share[c] > 0.)
-        add_faces(grid->node_index(c), whole, facets);
+    add_pieces(
+      body, [&](const Index &) { return whole; }, facets);
   }
 
 
@@ -245,10 +175,14 @@ namespace Waker
 
   template <int dim>
   void
-  CellSurface<dim>::find_volume(const MaterialPoints<dim> &points,
-                                const std::string         &path,
-                                Facets<dim>               &facets)
+  CellSurface<dim>::find_volume(const Body<dim>   &body,
+                                const std::string &path,
+                                Facets<dim>       &facets)
   {
+    // What lies in own cells, in those next to them, and beyond closed faces
+    // there.
+    const MaterialPoints<dim> &points =
+      own_and_near(body, 2. * grid->cell_size(), around);
     std::fill(share.begin(), share.end(), 0.);
     Point<dim> far;
     for (unsigned int d = 0; d < dim; ++d)
@@ -272,13 +206,10 @@ namespace Waker
           }
       }
 
-    facets.clear();
-    for (unsigned int c = 0; c < share.size(); ++c)
-      if (share[c] > share_tolerance)
-        {
-          const Index index = grid->node_index(c);
-          add_faces(index, filled_part(index, path), facets);
-        }
+    add_pieces(
+      body,
+      [&](const Index &index) { return filled_part(index, path); },
+      facets);
   }
 
 

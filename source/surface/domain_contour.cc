@@ -4,36 +4,32 @@
 #include <waker/surface/domain_contour.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace Waker
 {
   namespace
   {
     /// The support domains, in the first directions of the points' space.
-    /// @return their smallest extents (m), as of smallest_extent()
     template <int dim, int spacedim>
-    Tensor<1, dim>
+    BoxExtents<dim>
     support_domains(const MaterialPoints<spacedim> &points,
                     std::vector<Box<dim>>          &domains)
     {
       const std::size_t n = points.n_points();
       domains.resize(n);
-      Tensor<1, dim> smallest;
-      for (unsigned int d = 0; d < dim; ++d)
-        smallest[d] = n == 0 ? 1. : std::numeric_limits<double>::max();
+      BoxExtents<dim> extents = BoxExtents<dim>::of_none();
       for (std::size_t p = 0; p < n; ++p)
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            const double x      = points.position[p][d];
-            const double l      = points.half_size[p][d];
-            const double lower  = x - l;
-            const double upper  = x + l;
-            domains[p].lower[d] = lower;
-            domains[p].upper[d] = upper;
-            smallest[d]         = std::min(smallest[d], upper - lower);
-          }
-      return smallest;
+        {
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              const double x      = points.position[p][d];
+              const double l      = points.half_size[p][d];
+              domains[p].lower[d] = x - l;
+              domains[p].upper[d] = x + l;
+            }
+          extents.add(domains[p]);
+        }
+      return extents;
     }
   } // namespace
 
@@ -50,16 +46,20 @@ namespace Waker
     BoxUnionFaces         faces; // 3D
     Surface               surface;
 
-    // The rules for domains of these smallest extents, in their space.
+    BoxUnionContour::Visible              visible;
+    std::vector<BoxUnionFaces::Rectangle> rectangles;
+
+    // The rules for domains, in their space.
     template <int plane_dim>
     BoxUnionRules<plane_dim>
-    rules_for(const Tensor<1, plane_dim> &smallest) const
+    rules_for(const BoxExtents<plane_dim> &all) const
     {
       BoxUnionRules<plane_dim> r;
       r.symmetric    = rules.symmetric;
       r.tolerance    = rules.tolerance;
       r.closed_faces = rules.closed_faces & ((1u << 2 * plane_dim) - 1);
-      r.minimum_gap  = smallest;
+      for (unsigned int d = 0; d < plane_dim; ++d)
+        r.minimum_gap[d] = all.n > 0. ? all.smallest[d] : 1.;
       for (unsigned int d = 0; d < plane_dim; ++d)
         {
           r.lower[d] = rules.lower[d];
@@ -103,22 +103,22 @@ namespace Waker
 
   template <int dim>
   void
-  DomainContour<dim>::detect(const MaterialPoints<dim> &points,
-                             Surface                   &surface)
+  DomainContour<dim>::detect(const Body<dim> &body, Surface &surface)
   {
-    const Tensor<1, 2> smallest = support_domains(points, work->plane_domains);
-    work->contour.trace(work->plane_domains,
-                        work->rules_for(smallest),
-                        surface);
+    std::vector<Box<2>>   &domains = work->plane_domains;
+    const BoxExtents<2>    all     = support_domains(body.whole(), domains);
+    const BoxUnionRules<2> rules   = work->rules_for(all);
+    work->contour.find_visible(domains, rules, all, work->visible);
+    work->contour.trace(work->visible, rules, surface);
   }
 
 
 
   template <>
   void
-  DomainContour<2>::detect(const MaterialPoints<2> &points, Facets<2> &facets)
+  DomainContour<2>::detect(const Body<2> &body, Facets<2> &facets)
   {
-    detect(points, work->surface);
+    detect(body, work->surface);
     facets = to_facets(work->surface);
   }
 
@@ -126,10 +126,12 @@ namespace Waker
 
   template <>
   void
-  DomainContour<3>::detect(const MaterialPoints<3> &points, Facets<3> &facets)
+  DomainContour<3>::detect(const Body<3> &body, Facets<3> &facets)
   {
-    const Tensor<1, 3> smallest = support_domains(points, work->domains);
-    work->faces.find(work->domains, work->rules_for(smallest), facets);
+    const BoxExtents<3> all = support_domains(body.whole(), work->domains);
+    work->faces.find(
+      work->domains, work->rules_for(all), all, nullptr, work->rectangles);
+    BoxUnionFaces::to_facets(work->rectangles, facets);
   }
 
 

@@ -60,7 +60,7 @@ namespace Waker
     if (section.is_valid)
       return section.facets;
     if (which == FoundSurface::contour)
-      contour.detect(body->whole(), chains);
+      contour.detect(*body, chains);
     else
       {
         proximity.detect(*body, chains);
@@ -98,10 +98,10 @@ namespace Waker
     switch (which)
       {
         case FoundSurface::surface_nodes:
-          cells.find_active(body->whole(), functions, surface.facets);
+          cells.find_active(*body, functions, surface.facets);
           break;
         case FoundSurface::volume:
-          cells.find_volume(body->whole(), path, surface.facets);
+          cells.find_volume(*body, path, surface.facets);
           break;
         case FoundSurface::proximity_field:
         case FoundSurface::contour:
@@ -111,7 +111,7 @@ namespace Waker
               break;
             }
           if (which == FoundSurface::contour)
-            contour.detect(body->whole(), surface.facets);
+            contour.detect(*body, surface.facets);
           else
             {
               proximity.detect(*body, surface.facets);

@@ -51,6 +51,11 @@ cases = {
                  ["Grid/Cell size=0.5", "Time stepping/Ramp duration=0",
                   "Materials/clay/Regularisation=nonlocal",
                   "Materials/clay/Averaging length=1"], 0.01, (3,)),
+    # Its reach is ten cells.
+    "nonlocal far": ("chapter5/dyke_weak.prm",
+                     ["Grid/Cell size=0.5", "Time stepping/Ramp duration=0",
+                      "Materials/clay/Regularisation=nonlocal",
+                      "Materials/clay/Averaging length=2"], 0.01, (4,)),
     "pore water": ("verification/dyke_rising_line.prm",
                    ["Kinematics and mapping/Volumetric strain=standard",
                     "Time stepping/Ramp duration=0",
@@ -59,6 +64,13 @@ cases = {
     "water in space": ("chapter6/dyke_3d.prm",
                        ["Time stepping/Ramp duration=0",
                         "Gravity/Initial share=0.9"], 0.01, (3,)),
+    "contour in space": ("chapter6/dyke_3d.prm",
+                         ["Surface/Method=contour", "Surface/Prismatic=false",
+                          "Time stepping/Ramp duration=0",
+                          "Gravity/Initial share=0.9"], 0.01, (3,)),
+    "contour of slice": ("verification/dyke_slice.prm",
+                         ["Grid/Cell size=0.5", "Surface/Method=contour"], 0.01,
+                         (3,)),
     "flow": ("chapter3/flow.prm", [], 0.01, (3,)),
     "wall": ("chapter3/inclined_wall.prm", [], 0.02, (3,)),
     "friction": ("verification/dyke_on_ground.prm", [], 0.01, (3,)),
@@ -70,6 +82,16 @@ cases = {
                          "Time stepping/Ramp duration=0",
                          "Gravity/Initial share=0.9"], 0.01, (3,)),
     "tractions": ("chapter3/inclined_bar_3d.prm", [], 0.01, (3,)),
+    "all methods": ("chapter3/bar_1d_mpm.prm", [], 0.01, (3,)),
+    # Fixed and updated points, and a pressure that rides on points.
+    "points": ("chapter3/inclined_bar.prm",
+               ["Tractions/top/Method=updated points",
+                "Tractions/end/Method=updated points",
+                "Tractions/contour/Follows=soil"], 0.01, (3,)),
+    "points in space": ("chapter3/inclined_bar_3d.prm",
+                        ["Tractions/top/Method=updated points",
+                         "Tractions/end/Method=updated points",
+                         "Tractions/contour/Follows=soil"], 0.01, (3,)),
     "detected": ("chapter3/inclined_bar_detected.prm", [], 0.01, (3,)),
     "point load": ("chapter3/cantilever.prm", ["Newton/Tolerance=1e-11"], 0.02,
                    (3,)),
@@ -79,6 +101,10 @@ cases = {
                     "Load programmes/foundation/Start time=0"], 0.01, (3,)),
     # Dealt out anew twice.
     "flying block": ("verification/flying_block.prm", [], 0.008, (4,), 60),
+    # Not dealt out anew: it leaves ranks empty.
+    "empty ranks": ("verification/flying_block.prm",
+                    ["Surface/Method=contour", "Ranks/Largest imbalance=1000"],
+                    0.008, (4,), 60),
     # Nothing holds it along x: the long step finds no balance.
     "no balance": ("chapter5/dyke_weak.prm",
                    ["Grid/Cell size=0.5", "Time stepping/Ramp duration=0",
@@ -90,7 +116,8 @@ cases = {
 }
 n_steps = 20  # if the case does not say
 # Single points on a loose surface depend on the tolerance itself.
-depend_on_tolerance = ("water in space", "friction", "load programme", "slope")
+depend_on_tolerance = ("water in space", "contour in space", "friction",
+                       "load programme", "slope")
 
 
 ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1",

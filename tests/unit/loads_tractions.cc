@@ -240,7 +240,7 @@ namespace loads_tractions
         for (unsigned int d = 0; d < dim; ++d)
           x[d] = uniform(random);
       PointShares<dim> shares(grid);
-      shares.sort(points);
+      shares.sort(points.position);
       for (unsigned int k = 0; k < 50; ++k)
         {
           std::array<Point<dim>, dim> x;

@@ -65,7 +65,7 @@ namespace mechanics_nonlocal_softening
         update->begin(points, weights);
         update->evaluate(points, weights, increment, force);
         const StressReport report = update->accept(points);
-        update->soften(points, weights.background_grid().exchange());
+        update->soften(points, weights.background_grid());
         return report;
       }
 

@@ -20,9 +20,11 @@ namespace Waker
    * What one of several ranks computes of a realisation: the points in its
    * cells, and the nodes that they reach, on a window of the grid. Stresses,
    * forces, loads, Newton's method and the motion of the points are found
-   * there, each for its own. Of the surface each rank is told all facets. Who
-   * must see the places of all points looks at the whole body, which every rank
-   * has a copy of (State::points): know_places().
+   * there, each for its own. What lies around its points it is told of
+   * others (NearCells); of the surface each rank is told all facets. Who must
+   * see the places of all points, for files or to measure a body that has
+   * moved, looks at the whole body, which every rank has a copy of
+   * (State::points): know_places().
    *
    * All functions but the const ones are collective.
    */
@@ -120,6 +122,7 @@ namespace Waker
     {
       NodeExchange::Traffic sum = sent_before;
       sum += exchange.traffic();
+      sum += partition->traffic();
       sum += grid->exchange().traffic();
       sum += load_grid->exchange().traffic();
       return sum;

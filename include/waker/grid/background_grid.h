@@ -21,6 +21,9 @@ namespace Waker
 {
   using namespace dealii;
 
+  template <int dim>
+  class NearCells;
+
   /**
    * The uniform background grid: cubic cells of one size, the nodes of which
    * are those of deal.II's vector-valued Q1 elements.
@@ -229,11 +232,21 @@ namespace Waker
       return *node_exchange;
     }
 
-    /// @param exchange for a window
-    void
-    set_exchange(std::shared_ptr<const NodeExchange> exchange)
+    /// What they tell each other of points near their cells. In a window only:
+    /// on one rank, which has all points, there is none.
+    const NearCells<dim> &
+    near_cells() const
     {
-      node_exchange = std::move(exchange);
+      return *cells_of_others;
+    }
+
+    /// For a window.
+    void
+    set_exchange(std::shared_ptr<const NodeExchange>   exchange,
+                 std::shared_ptr<const NearCells<dim>> near)
+    {
+      node_exchange   = std::move(exchange);
+      cells_of_others = std::move(near);
     }
 
     MPI_Comm
@@ -257,7 +270,8 @@ namespace Waker
     MPI_Comm                      mpi_communicator;
     Index                         first_node = {};
 
-    std::shared_ptr<const NodeExchange> node_exchange;
+    std::shared_ptr<const NodeExchange>   node_exchange;
+    std::shared_ptr<const NearCells<dim>> cells_of_others; // in a window
 
     struct DealII;
     mutable std::unique_ptr<DealII> deal_ii; // null until it is asked for

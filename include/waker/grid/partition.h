@@ -3,6 +3,8 @@
 #define waker_grid_partition_h
 
 #include <waker/grid/background_grid.h>
+#include <waker/grid/cell_owners.h>
+#include <waker/grid/near_cells.h>
 
 #include <cstdint>
 #include <memory>
@@ -79,6 +81,15 @@ namespace Waker
                 const unsigned int         n_components,
                 double                    *values) const;
 
+    /// What this rank has sent of points near the cells of others.
+    NodeExchange::Traffic
+    traffic() const
+    {
+      NodeExchange::Traffic sum = sent_before;
+      sum += near_cells->traffic();
+      return sum;
+    }
+
     /// How many nodes this rank owns.
     std::size_t
     n_owned() const;
@@ -86,24 +97,18 @@ namespace Waker
   private:
     struct Forest;
 
-    /// Nodes [begin, end) of the whole grid that are one rank's.
-    struct Interval
-    {
-      std::size_t   begin, end;
-      unsigned int  rank;
-      std::uint64_t number; // of the first, counted rank by rank
-    };
-
     /// Ask the forest, and tell each other.
     void
     share();
 
-    const BackgroundGrid<dim> *whole;
-    MPI_Comm                   communicator;
-    unsigned int               rank, n_ranks;
-    std::unique_ptr<Forest>    forest;
-    std::vector<Interval>      intervals;        // of all ranks, ascending
-    std::uint64_t              first_number = 0; // of this rank's own nodes
+    const BackgroundGrid<dim>            *whole;
+    MPI_Comm                              communicator;
+    unsigned int                          rank, n_ranks;
+    std::unique_ptr<Forest>               forest;
+    std::shared_ptr<const CellOwners>     owners;
+    std::shared_ptr<const NearCells<dim>> near_cells;
+    NodeExchange::Traffic sent_before;      // to near cells that are others now
+    std::uint64_t         first_number = 0; // of this rank's own nodes
   };
 } // namespace Waker
 

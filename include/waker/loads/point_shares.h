@@ -3,11 +3,11 @@
 #define waker_loads_point_shares_h
 
 #include <waker/grid/background_grid.h>
-#include <waker/particles/material_points.h>
 #include <waker/surface/shape/facet.h>
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <vector>
 
 namespace Waker
@@ -25,14 +25,25 @@ namespace Waker
   public:
     explicit PointShares(const BackgroundGrid<dim> &grid);
 
-    /// Sort the points, which must lie inside grid and margin, into the cells.
+    /// Sort points, which must lie inside grid and margin, into the cells.
+    /// @param positions kept by reference
     void
-    sort(const MaterialPoints<dim> &points);
+    sort(const std::vector<Point<dim>> &positions);
+
+    static constexpr std::uint32_t none = -1;
 
     /// The point closest to x; of several the first, by place in the arrays.
-    /// There must be points.
+    /// @param n_rings if there is none within so many cells: none. Else there
+    ///        must be points.
     std::uint32_t
-    nearest(const Point<dim> &x) const;
+    nearest(const Point<dim> &x,
+            const int         n_rings = std::numeric_limits<int>::max()) const;
+
+    /// Call `visit` for each point within the radius of x.
+    void
+    visit_within(const Point<dim>                         &x,
+                 const double                              radius,
+                 const std::function<void(std::uint32_t)> &visit) const;
 
     /// A piece of a facet and the point that it belongs to.
     using Visitor = std::function<void(const Facet<dim> &, std::uint32_t)>;
@@ -43,12 +54,12 @@ namespace Waker
     split(const Facet<dim> &facet, const Visitor &visit);
 
   private:
-    const BackgroundGrid<dim> *grid;
-    const MaterialPoints<dim> *points = nullptr;
-    std::vector<std::uint32_t> first; // of each cell, in `order`
-    std::vector<std::uint32_t> order; // points by cell
-    std::vector<std::uint32_t> cell;  // of each point
-    Facets<dim>                pending;
+    const BackgroundGrid<dim>     *grid;
+    const std::vector<Point<dim>> *points = nullptr;
+    std::vector<std::uint32_t>     first; // of each cell, in `order`
+    std::vector<std::uint32_t>     order; // points by cell
+    std::vector<std::uint32_t>     cell;  // of each point
+    Facets<dim>                    pending;
   };
 } // namespace Waker
 

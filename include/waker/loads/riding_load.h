@@ -2,10 +2,12 @@
 #ifndef waker_loads_riding_load_h
 #define waker_loads_riding_load_h
 
+#include <waker/grid/node_exchange.h>
 #include <waker/loads/point_shares.h>
 #include <waker/particles/material_points.h>
 #include <waker/surface/shape/facet.h>
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -69,14 +71,35 @@ namespace Waker
      * Where the pieces are. Those whose point has left the grid are not among
      * them.
      *
+     * @param points those of this rank, of which each has some
      * @param vertices as start_vertices(), carried to now
-     * @param facets, placed overwritten; one for each piece that is there
+     * @param facets, placed overwritten; one for each piece that is there, on
+     *        each rank
      */
     void
-    place(const MaterialPoints<dim>     &points,
+    place(const NodeExchange            &ranks,
+          const MaterialPoints<dim>     &points,
           const std::vector<Point<dim>> &vertices,
           Facets<dim>                   &facets,
           std::vector<Placed>           &placed) const;
+
+  private:
+    /// Where a piece lies now.
+    struct Vertices
+    {
+      std::uint64_t                            piece;
+      std::array<std::array<double, dim>, dim> x; // m
+    };
+
+    /// Of those that ride on points which are there, by piece.
+    std::vector<Vertices>
+    ride_with_points(const NodeExchange        &ranks,
+                     const MaterialPoints<dim> &points) const;
+
+    /// Of each piece the place of its point among these, or n_points().
+    std::vector<std::size_t>
+    find_points(const NodeExchange        &ranks,
+                const MaterialPoints<dim> &points) const;
   };
 
   /// The place at t = 0 of a place on a facet.

@@ -4,8 +4,8 @@
 
 #include <waker/loads/facet_load.h>
 #include <waker/loads/placement.h>
-#include <waker/loads/point_shares.h>
 #include <waker/loads/riding_load.h>
+#include <waker/loads/surface_points.h>
 #include <waker/loads/traction.h>
 #include <waker/nodes/nodal_vector.h>
 #include <waker/surface/surface_finder.h>
@@ -87,10 +87,6 @@ namespace Waker
       items[i].factor = factor;
     }
 
-    /// Does any of them look at the places of all points?
-    bool
-    look_at_points() const;
-
     /// Does any of them change in time while nothing moves?
     bool
     moves() const;
@@ -107,6 +103,7 @@ namespace Waker
     /**
      * Find the surfaces as the points lie.
      *
+     * @param points those of this rank
      * @param vertices that the material carries
      * @throws UserError if there is no such surface
      */
@@ -136,7 +133,7 @@ namespace Waker
     /**
      * Add the nodal forces at time t to `force` (kN).
      *
-     * @param points all of them, if these look at points
+     * @param points those of this rank
      * @param node_mass of each node of the window (Mg)
      * @param full_node_mass of a node inside the body (Mg)
      */
@@ -154,7 +151,8 @@ namespace Waker
       /// Where it acts; of point loads, the surface that they stand for.
       const Facets<dim> *facets;
       const NodalVector *nodal_force; // of the whole grid, kN
-      /// Loads of the points (kN); empty unless it is a method of points.
+      /// Loads of this rank's points (kN); null unless it is a method of
+      /// points.
       const std::vector<Tensor<1, dim>> *point_loads;
     };
 
@@ -239,11 +237,11 @@ namespace Waker
     void
     add_up(const std::vector<double> &node_mass, Item &item) const;
 
-    const BackgroundGrid<dim> *grid;
+    const BackgroundGrid<dim> *grid, *window;
     const NodeExchange        *ranks; // of the window
     std::deque<Item>           items; // they do not move
     FacetLoad<dim>             load;
-    PointShares<dim>           shares;
+    SurfacePoints<dim>         surface_points;
   };
 } // namespace Waker
 

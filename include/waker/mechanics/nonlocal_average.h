@@ -34,14 +34,49 @@ namespace Waker
     /// w = 0 from here on, in lengths.
     static constexpr double reach = 2.5;
 
+    /// What the bins are laid out by: of points that each rank has a part of,
+    /// it is that of all ranks.
+    struct Extent
+    {
+      Point<dim> low, high;           // m; of no points far above and below
+      double     volume = 0., n = 0.; // sums over the points
+    };
+
+    static Extent
+    extent_of(const std::vector<std::uint32_t> &members,
+              const std::vector<Point<dim>>    &positions,
+              const std::vector<double>        &volumes);
+
     /// For these points as they lie.
-    /// @param members their numbers
+    /// @param members their numbers; neighbours are summed up in their order
     /// @param positions, volumes, values (e, at least 0) of all points
     void
     reinit(const std::vector<std::uint32_t> &members,
            const std::vector<Point<dim>>    &positions,
            const std::vector<double>        &volumes,
-           const std::vector<double>        &values);
+           const std::vector<double>        &values)
+    {
+      reinit(members,
+             positions,
+             volumes,
+             values,
+             extent_of(members, positions, volumes));
+    }
+
+    /// Lay out the bins for all points. @return how far around a point, in each
+    /// direction, others may lie in bins with neighbours of it (m)
+    double
+    lay_bins(const Extent &all);
+
+    /// The same, for some of the points. Those around which, so far, all others
+    /// are among them have the averages that they have among all, to the bit.
+    /// @param all of all points, the sums but for round-off
+    void
+    reinit(const std::vector<std::uint32_t> &members,
+           const std::vector<Point<dim>>    &positions,
+           const std::vector<double>        &volumes,
+           const std::vector<double>        &values,
+           const Extent                     &all);
 
     /// The members in an order in which neighbours follow each other.
     const std::vector<std::uint32_t> &
@@ -62,11 +97,10 @@ namespace Waker
       unsigned int begin, end;
     };
 
-    /// Sort the members into bins.
+    /// Sort the members into those that they lie in.
     void
     sort(const std::vector<std::uint32_t> &members,
-         const std::vector<Point<dim>>    &positions,
-         const std::vector<double>        &volumes);
+         const std::vector<Point<dim>>    &positions);
 
     /// The stretches that hold the neighbours of order()[k], and more.
     /// @return do any of them have a value?
@@ -82,8 +116,11 @@ namespace Waker
 
     // The bins, and what lies in them, sorted; lengths in l.
     Point<dim>                          corner; // m
-    double                              bin_size = 1.;
-    std::array<int, dim>                n_bins;
+    double                              bin_size    = 1.;
+    double                              mean_volume = 1.; // m^dim
+    std::array<int, dim>                n_of_all;         // bins
+    std::array<int, dim>                first_bin;        // that has members
+    std::array<int, dim>                n_bins;           // from there on
     std::vector<unsigned int>           starts;    // of each bin, x first
     std::vector<unsigned int>           n_sources; // with values, before that
     std::vector<std::uint32_t>          sorted;

@@ -2,7 +2,7 @@
 #ifndef waker_mechanics_nonlocal_softening_h
 #define waker_mechanics_nonlocal_softening_h
 
-#include <waker/grid/node_exchange.h>
+#include <waker/grid/background_grid.h>
 #include <waker/materials/material.h>
 #include <waker/mechanics/nonlocal_average.h>
 #include <waker/particles/material_points.h>
@@ -39,12 +39,13 @@ namespace Waker
      * @param increments of the "plastic strain" in the step, of all points
      * @param variable_arrays of each material, in which scalars its variables
      *        are
-     * @param ranks of which each has a part of the points
+     * @param grid in a window of it each of several ranks has a part of the
+     *        points, and is told of those near its own
      */
     void
     soften(const std::vector<double>           &increments,
            const std::vector<std::vector<int>> &variable_arrays,
-           const NodeExchange                  &ranks,
+           const BackgroundGrid<dim>           &grid,
            MaterialPoints<dim>                 &points);
 
   private:
@@ -56,8 +57,8 @@ namespace Waker
       NonlocalAverage<dim> average;
     };
 
-    /// The points of one material on all ranks, in the order of their ids:
-    /// sums over them are the same on any number of ranks.
+    /// The points of one material on this rank and near its own, in the order
+    /// of their ids: sums over them are the same on any number of ranks.
     struct Surroundings
     {
       std::vector<Point<dim>>    position;
@@ -67,8 +68,11 @@ namespace Waker
     };
     static constexpr std::uint32_t not_here = -1;
 
+    /// Those of the `members`, and around them.
+    /// @param reach how far (m)
     void
-    gather(const NodeExchange        &ranks,
+    gather(const BackgroundGrid<dim> &grid,
+           const double               reach,
            const MaterialPoints<dim> &points,
            const std::vector<double> &increments,
            const unsigned int         material);

@@ -121,9 +121,9 @@ namespace Waker
 
     /// After accept(): points soften by what happened around them
     /// (NonlocalSoftening).
-    /// @param ranks that have the points around
+    /// @param grid of this rank's points, and of those around them
     void
-    soften(MaterialPoints<dim> &points, const NodeExchange &ranks);
+    soften(MaterialPoints<dim> &points, const BackgroundGrid<dim> &grid);
 
   private:
     /// Scalars per point that fit on the stack; more is a material's mistake.

@@ -4,10 +4,12 @@
 
 #include <waker/grid/background_grid.h>
 #include <waker/mapping/shape_functions.h>
-#include <waker/particles/material_points.h>
+#include <waker/particles/body.h>
 #include <waker/surface/shape/facet.h>
 
 #include <array>
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,6 +18,9 @@ namespace Waker
   /**
    * Surfaces made of pieces that lie along the grid. A cell beyond a closed
    * face of the box counts as soil; the facets there are marked.
+   *
+   * On several ranks each finds the pieces of its own cells, from the points in
+   * and near them, and tells all what these are.
    *
    * Keeps its work arrays from call to call.
    */
@@ -34,9 +39,9 @@ namespace Waker
      * @param facets overwritten
      */
     void
-    find_active(const MaterialPoints<dim> &points,
-                const ShapeFunctions       functions,
-                Facets<dim>               &facets);
+    find_active(const Body<dim>     &body,
+                const ShapeFunctions functions,
+                Facets<dim>         &facets);
 
     /**
      * The surface that encloses in each cell the volume of the points which it
@@ -50,12 +55,13 @@ namespace Waker
      *
      * @param path of the parameter that asked for it, for the error
      * @param facets overwritten
-     * @throws UserError if a cell does not say on which side it is open
+     * @throws UserError if a cell does not say on which side it is open; on
+     *         each rank, that of the first such cell
      */
     void
-    find_volume(const MaterialPoints<dim> &points,
-                const std::string         &path,
-                Facets<dim>               &facets);
+    find_volume(const Body<dim>   &body,
+                const std::string &path,
+                Facets<dim>       &facets);
 
   private:
     using Index = typename BackgroundGrid<dim>::Index;
@@ -76,11 +82,32 @@ namespace Waker
               const unsigned int d,
               const unsigned int side) const;
 
+    /// What a cell adds to the surface.
+    struct Piece
+    {
+      std::uint64_t cell;
+      std::uint32_t open, walls; // bit 2d for the lower, 2d + 1 the upper face
+      Part          part;
+    };
+
+    /// The pieces of all cells that hold soil, in their order, as facets.
+    /// @param part of such a cell
     void
-    add_faces(const Index &index, const Part &part, Facets<dim> &facets) const;
+    add_pieces(const Body<dim>                               &body,
+               const std::function<Part(const Index &index)> &part,
+               Facets<dim>                                   &facets) const;
+
+    Piece
+    make_piece(const Index &index, const Part &part) const;
+
+    void
+    add_faces(const Piece &piece, Facets<dim> &facets) const;
 
     Part
     filled_part(const Index &index, const std::string &path) const;
+
+    /// Less than this share of a cell is round-off.
+    static constexpr double share_tolerance = 1e-9;
 
     const BackgroundGrid<dim> *grid;
     unsigned int               closed_faces;
@@ -91,6 +118,7 @@ namespace Waker
     /// How far the domains of the points in each cell reach (m).
     std::vector<Point<dim>> lower_end;
     std::vector<Point<dim>> upper_end;
+    MaterialPoints<dim>     around; // on several ranks
   };
 } // namespace Waker
 

@@ -3,7 +3,7 @@
 #define waker_surface_domain_contour_h
 
 #include <waker/grid/background_grid.h>
-#include <waker/particles/material_points.h>
+#include <waker/particles/body.h>
 #include <waker/surface/boxes/box_union.h>
 #include <waker/surface/proximity_field.h>
 #include <waker/surface/shape/facet.h>
@@ -28,6 +28,11 @@ namespace Waker
    * At a closed face of the grid's box the body is cut and a gap to the face is
    * a gap like others.
    *
+   * On several ranks each looks at its own points. In space it finds the facets
+   * of its own part, from the domains in and near it, and tells all what these
+   * are. In the plane, where there are fewer domains, it leaves out those that
+   * lie inside its part, and tells all others: each rank then finds the chains.
+   *
    * Keeps its work arrays from call to call.
    */
   template <int dim>
@@ -50,13 +55,13 @@ namespace Waker
     /// The chains; in 3D those of the domains' projection on the x-y plane, for
     /// a body that is prismatic along z. `surface` is overwritten.
     void
-    detect(const MaterialPoints<dim> &points, Surface &surface);
+    detect(const Body<dim> &body, Surface &surface);
 
     /// The surface itself. In 3D the triangles are those of rectangles, with
     /// vertices on the sides of others: closed, but without a common topology.
     /// `facets` is overwritten.
     void
-    detect(const MaterialPoints<dim> &points, Facets<dim> &facets);
+    detect(const Body<dim> &body, Facets<dim> &facets);
 
   private:
     struct WorkSpace;

@@ -2,6 +2,7 @@
 #include <waker/surface/boxes/box_union.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace Waker
 {
@@ -24,16 +25,29 @@ namespace Waker
 
 
   template <int dim>
-  Tensor<1, dim>
-  smallest_extent(const std::vector<Box<dim>> &boxes)
+  BoxExtents<dim>
+  BoxExtents<dim>::of_none()
   {
-    Tensor<1, dim> smallest;
+    constexpr double far = std::numeric_limits<double>::max();
+    BoxExtents       none;
     for (unsigned int d = 0; d < dim; ++d)
-      smallest[d] = boxes.empty() ? 1. : boxes[0].upper[d] - boxes[0].lower[d];
+      {
+        none.lower[d] = none.smallest[d] = far;
+        none.upper[d]                    = -far;
+      }
+    return none;
+  }
+
+
+
+  template <int dim>
+  BoxExtents<dim>
+  extents_of(const std::vector<Box<dim>> &boxes)
+  {
+    BoxExtents<dim> extents = BoxExtents<dim>::of_none();
     for (const Box<dim> &box : boxes)
-      for (unsigned int d = 0; d < dim; ++d)
-        smallest[d] = std::min(smallest[d], box.upper[d] - box.lower[d]);
-    return smallest;
+      extents.add(box);
+    return extents;
   }
 
 
@@ -42,8 +56,10 @@ namespace Waker
   cut_at_closed_faces<2>(const BoxUnionRules<2> &, Box<2> &);
   template bool
   cut_at_closed_faces<3>(const BoxUnionRules<3> &, Box<3> &);
-  template Tensor<1, 2>
-  smallest_extent<2>(const std::vector<Box<2>> &);
-  template Tensor<1, 3>
-  smallest_extent<3>(const std::vector<Box<3>> &);
+  template struct BoxExtents<2>;
+  template struct BoxExtents<3>;
+  template BoxExtents<2>
+  extents_of<2>(const std::vector<Box<2>> &);
+  template BoxExtents<3>
+  extents_of<3>(const std::vector<Box<3>> &);
 } // namespace Waker

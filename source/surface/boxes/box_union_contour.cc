@@ -9,12 +9,12 @@
 namespace Waker
 {
   void
-  BoxUnionContour::trace(const std::vector<Box<2>> &boxes,
-                         const BoxUnionRules<2>    &new_rules,
-                         Surface                   &surface)
+  BoxUnionContour::trace(const Visible          &of_all,
+                         const BoxUnionRules<2> &new_rules,
+                         Surface                &surface)
   {
     rules = new_rules;
-    select(boxes);
+    select(of_all);
     rank_coordinates();
     start_sweep();
 
@@ -46,7 +46,29 @@ namespace Waker
 
 
   void
-  BoxUnionContour::select(const std::vector<Box<2>> &boxes)
+  BoxUnionContour::find_visible(const std::vector<Box<2>> &boxes,
+                                const BoxUnionRules<2>    &of_boxes,
+                                const BoxExtents<2>       &all,
+                                Visible                   &found)
+  {
+    found.covered.clear();
+    if (!of_boxes.restricted)
+      {
+        found.boxes = boxes;
+        return;
+      }
+    found.boxes.clear();
+    coverage.reinit(boxes, of_boxes, all);
+    coverage.find_open(near_surface);
+    for (const unsigned int i : near_surface)
+      found.boxes.push_back(boxes[i]);
+    coverage.append_covered_rows(found.covered);
+  }
+
+
+
+  void
+  BoxUnionContour::select(const Visible &of_all)
   {
     const auto add = [this](const Box<2> &box) {
       swept.push_back(box);
@@ -54,29 +76,11 @@ namespace Waker
         swept.pop_back();
     };
     swept.clear();
-    if (rules.restricted)
-      {
-        coverage.reinit(boxes, rules);
-        coverage.find_open(near_surface);
-        for (const unsigned int i : near_surface)
-          add(boxes[i]);
-      }
-    else
-      for (const Box<2> &box : boxes)
-        add(box);
+    for (const Box<2> &box : of_all.boxes)
+      add(box);
     n_boxes = swept.size();
-
-    if (rules.restricted)
-      {
-        coverage.append_covered_rows(swept);
-        std::size_t n = n_boxes;
-        for (std::size_t i = n_boxes; i < swept.size(); ++i)
-          {
-            swept[n] = swept[i];
-            n += cut_at_closed_faces(rules, swept[n]);
-          }
-        swept.resize(n);
-      }
+    for (const Box<2> &row : of_all.covered)
+      add(row);
   }
 
 

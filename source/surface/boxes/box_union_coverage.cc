@@ -9,10 +9,11 @@ namespace Waker
   template <int dim>
   void
   BlockCoverage<dim>::reinit(const std::vector<Box<dim>> &boxes,
-                             const BoxUnionRules<dim>    &new_rules)
+                             const BoxUnionRules<dim>    &new_rules,
+                             const BoxExtents<dim>       &all)
   {
     rules = new_rules;
-    choose_lattice(boxes);
+    choose_lattice(boxes, all);
     for (unsigned int d = 0; d < dim; ++d)
       {
         const double block = bits_per_block * cell[d];
@@ -45,56 +46,86 @@ namespace Waker
 
 
   template <int dim>
-  void
-  BlockCoverage<dim>::choose_lattice(const std::vector<Box<dim>> &boxes)
+  typename BlockCoverage<dim>::Lattice
+  BlockCoverage<dim>::lattice(const BoxUnionRules<dim> &rules,
+                              const Tensor<1, dim>     &block,
+                              const Point<dim>         &lower,
+                              const Point<dim>         &upper)
   {
-    Point<dim> lower;
-    Point<dim> upper;
-    if (!boxes.empty())
+    Lattice lattice;
+    lattice.n_words = 1;
+    for (unsigned int d = 0; d < dim; ++d)
       {
-        lower = boxes[0].lower;
-        upper = boxes[0].upper;
+        // Blocks to spare at either end for a gap between a box and a closed
+        // face.
+        const double spare = 1. + std::floor(rules.minimum_gap[d] / block[d]);
+        const double first =
+          std::floor((lower[d] - rules.lower[d]) / block[d]) - spare;
+        const double origin = rules.lower[d] + first * block[d];
+        const double blocks = std::ceil((upper[d] - origin) / block[d]) + spare;
+        lattice.first[d] =
+          static_cast<int>(std::min(std::max(first, -1e6), 1e6));
+        lattice.n[d]      = static_cast<int>(std::min(blocks, 1e6));
+        const int n_lines = bits_per_block * lattice.n[d];
+        lattice.n_words *= d == 0 ? (n_lines + 63) / 64 : n_lines;
       }
-    for (const Box<dim> &box : boxes)
-      for (unsigned int d = 0; d < dim; ++d)
-        {
-          lower[d] = std::min(lower[d], box.lower[d]);
-          upper[d] = std::max(upper[d], box.upper[d]);
-        }
+    return lattice;
+  }
 
-    cell = smallest_extent(boxes) / 4.;
+
+
+  template <int dim>
+  Tensor<1, dim>
+  BlockCoverage<dim>::block_extent(const BoxUnionRules<dim> &rules,
+                                   const BoxExtents<dim>    &all)
+  {
+    if (all.n == 0.)
+      {
+        Tensor<1, dim> one;
+        for (unsigned int d = 0; d < dim; ++d)
+          one[d] = 1.;
+        return one;
+      }
+    Tensor<1, dim> block = all.smallest / 4. * bits_per_block;
     // Few tiny boxes among large ones must not cost memory.
-    const std::size_t max_words = 4096 + 16 * boxes.size();
+    const double max_words = 4096. + 16. * all.n;
     while (true)
       {
-        std::size_t n_words = 1;
+        const Lattice of_all = lattice(rules, block, all.lower, all.upper);
+        bool          fits   = of_all.n_words <= max_words;
         for (unsigned int d = 0; d < dim; ++d)
-          {
-            // Lines of blocks on a lattice through rules.lower, with blocks to
-            // spare at either end for a gap between a box and a closed face.
-            const double block = bits_per_block * cell[d];
-            const double spare = 1. + std::floor(rules.minimum_gap[d] / block);
-            const double first =
-              std::floor((lower[d] - rules.lower[d]) / block) - spare;
-            origin[d] = rules.lower[d] + first * block;
-            const double blocks =
-              std::ceil((upper[d] - origin[d]) / block) + spare;
-            n[d]       = static_cast<int>(std::min(blocks, 1e6));
-            n_lines[d] = bits_per_block * n[d];
-            if (d == 0)
-              words_per_row = (n_lines[0] + 63) / 64;
-            n_words *= (d == 0) ? words_per_row : n_lines[d];
-            if (n[d] == 1e6)
-              n_words = max_words + 1;
-          }
-        if (n_words <= max_words)
-          {
-            bits.assign(n_words, 0);
-            dilated.resize(n_words);
-            return;
-          }
-        cell *= 2.;
+          fits = fits && std::abs(of_all.first[d]) + of_all.n[d] < 1000000;
+        if (fits)
+          return block;
+        block *= 2.;
       }
+  }
+
+
+
+  template <int dim>
+  void
+  BlockCoverage<dim>::choose_lattice(const std::vector<Box<dim>> &boxes,
+                                     const BoxExtents<dim>       &all)
+  {
+    const Tensor<1, dim> block = block_extent(rules, all);
+    cell                       = block / static_cast<double>(bits_per_block);
+    // Around these boxes, which need not be all.
+    BoxExtents<dim> here =
+      static_cast<double>(boxes.size()) == all.n ? all : extents_of(boxes);
+    if (boxes.empty())
+      here.lower = here.upper = Point<dim>();
+    const Lattice chosen = lattice(rules, block, here.lower, here.upper);
+    first                = chosen.first;
+    n                    = chosen.n;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        origin[d]  = rules.lower[d] + first[d] * block[d];
+        n_lines[d] = bits_per_block * n[d];
+      }
+    words_per_row = (n_lines[0] + 63) / 64;
+    bits.assign(chosen.n_words, 0);
+    dilated.resize(chosen.n_words);
   }
 
 
@@ -132,9 +163,10 @@ namespace Waker
     Box<dim> box;
     for (unsigned int d = 0; d < dim; ++d)
       {
+        // The same to the bit, whichever blocks are here.
         const double extent = bits_per_block * cell[d];
-        box.lower[d]        = origin[d] + index[d] * extent;
-        box.upper[d]        = origin[d] + (index[d] + 1) * extent;
+        box.lower[d]        = rules.lower[d] + (first[d] + index[d]) * extent;
+        box.upper[d] = rules.lower[d] + (first[d] + index[d] + 1) * extent;
       }
     return box;
   }

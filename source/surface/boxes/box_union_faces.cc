@@ -10,11 +10,24 @@ namespace Waker
                       const BoxUnionRules<3>    &new_rules,
                       Facets<3>                 &facets)
   {
+    find(boxes, new_rules, extents_of(boxes), nullptr, found);
+    to_facets(found, facets);
+  }
+
+
+
+  void
+  BoxUnionFaces::find(const std::vector<Box<3>>                   &boxes,
+                      const BoxUnionRules<3>                      &new_rules,
+                      const BoxExtents<3>                         &all,
+                      const std::function<bool(const Point<3> &x)> is_own,
+                      std::vector<Rectangle>                      &rectangles)
+  {
     rules = new_rules;
-    facets.clear();
+    rectangles.clear();
     if (boxes.empty())
       return;
-    select(boxes);
+    select(boxes, all);
     rank_coordinates();
     list_boxes_by_block();
 
@@ -26,21 +39,71 @@ namespace Waker
           {
             if (is_skipped(block))
               continue;
+            const Box<3> place = coverage.block(block);
+            if (is_own &&
+                !is_own(place.lower + 0.5 * (place.upper - place.lower)))
+              continue;
             lay_lattice(block);
             mark_inside(block);
             fill_rows(0);
             fill_rows(2);
             fill_along_y();
-            collect_faces(block, facets);
+            collect_faces(block, rectangles);
           }
   }
 
 
 
-  void
-  BoxUnionFaces::select(const std::vector<Box<3>> &boxes)
+  double
+  BoxUnionFaces::reach(const BoxUnionRules<3> &rules, const BoxExtents<3> &all)
   {
-    coverage.reinit(boxes, rules);
+    // Its own faces need what comes nearer to the block than a gap; whether
+    // there is one on the next block's side, what does so to that.
+    const Tensor<1, 3> block = BlockCoverage<3>::block_extent(rules, all);
+    double             most  = 0.;
+    for (unsigned int d = 0; d < 3; ++d)
+      most = std::max(most, 1.5 * block[d] + rules.minimum_gap[d]);
+    return most + 4. * rules.tolerance;
+  }
+
+
+
+  void
+  BoxUnionFaces::to_facets(const std::vector<Rectangle> &rectangles,
+                           Facets<3>                    &facets)
+  {
+    facets.clear();
+    for (const Rectangle &rectangle : rectangles)
+      {
+        const unsigned int a = (rectangle.direction + 1) % 3;
+        const unsigned int b = (rectangle.direction + 2) % 3;
+        const auto corner    = [&](const bool upper_a, const bool upper_b) {
+          Point<3> x;
+          x[rectangle.direction] = rectangle.place;
+          x[a] = upper_a ? rectangle.upper[0] : rectangle.lower[0];
+          x[b] = upper_b ? rectangle.upper[1] : rectangle.lower[1];
+          return x;
+        };
+        // Anticlockwise, seen from outside.
+        const bool     faces_up = rectangle.faces_up != 0;
+        const Point<3> first    = corner(false, false);
+        const Point<3> second   = corner(faces_up, !faces_up);
+        const Point<3> third    = corner(true, true);
+        const Point<3> fourth   = corner(!faces_up, faces_up);
+        facets.push_back(
+          make_facet<3>({{first, second, third}}, rectangle.on_face));
+        facets.push_back(
+          make_facet<3>({{first, third, fourth}}, rectangle.on_face));
+      }
+  }
+
+
+
+  void
+  BoxUnionFaces::select(const std::vector<Box<3>> &boxes,
+                        const BoxExtents<3>       &all)
+  {
+    coverage.reinit(boxes, rules, all);
     coverage.open_blocks_at_closed_faces();
     selected.clear();
     for (const Box<3> &box : boxes)

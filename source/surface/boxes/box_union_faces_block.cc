@@ -201,7 +201,8 @@ namespace Waker
 
 
   void
-  BoxUnionFaces::collect_faces(const Index &block, Facets<3> &facets)
+  BoxUnionFaces::collect_faces(const Index            &block,
+                               std::vector<Rectangle> &rectangles)
   {
     // A block collects the faces on its own lower sides, and those on an upper
     // one if nobody else does.
@@ -211,16 +212,17 @@ namespace Waker
         ++next[d];
         const unsigned int end = block_end[d] + is_skipped(next);
         for (unsigned int line = block_begin[d]; line < end; ++line)
-          collect_plane(d, line, facets);
+          collect_plane(block, d, line, rectangles);
       }
   }
 
 
 
   void
-  BoxUnionFaces::collect_plane(const unsigned int direction,
-                               const unsigned int line,
-                               Facets<3>         &facets)
+  BoxUnionFaces::collect_plane(const Index            &block,
+                               const unsigned int      direction,
+                               const unsigned int      line,
+                               std::vector<Rectangle> &rectangles)
   {
     const unsigned int a       = (direction + 1) % 3;
     const unsigned int b       = (direction + 2) % 3;
@@ -269,44 +271,20 @@ namespace Waker
                       plane.begin() + m * na + i_end,
                       0);
 
-          Ranks lower;
-          Ranks upper;
-          lower[direction] = upper[direction] = lines[direction][line];
-          lower[a]                            = lines[a][block_begin[a] + i];
-          upper[a] = lines[a][block_begin[a] + i_end];
-          lower[b] = lines[b][block_begin[b] + j];
-          upper[b] = lines[b][block_begin[b] + j_end];
-          add_rectangle(direction, lower, upper, sign > 0, facets);
+          Rectangle rectangle;
+          rectangle.block         = coverage.number_of_all(block);
+          rectangle.direction     = direction;
+          rectangle.faces_up      = sign > 0 ? 1 : 0;
+          const unsigned int r    = lines[direction][line];
+          const unsigned int face = 2 * direction + rectangle.faces_up;
+          const auto place = [&](const unsigned int d, const unsigned int l) {
+            return coordinates[d].values[lines[d][block_begin[d] + l]];
+          };
+          rectangle.on_face = r == face_ranks[face] ? face : -1;
+          rectangle.place   = coordinates[direction].values[r];
+          rectangle.lower   = {{place(a, i), place(b, j)}};
+          rectangle.upper   = {{place(a, i_end), place(b, j_end)}};
+          rectangles.push_back(rectangle);
         }
-  }
-
-
-
-  void
-  BoxUnionFaces::add_rectangle(const unsigned int direction,
-                               const Ranks       &lower,
-                               const Ranks       &upper,
-                               const bool         faces_up,
-                               Facets<3>         &facets) const
-  {
-    const unsigned int a = (direction + 1) % 3;
-    const unsigned int b = (direction + 2) % 3;
-    const auto corner    = [&](const bool at_upper_a, const bool at_upper_b) {
-      Point<3> x;
-      x[direction] = coordinates[direction].values[lower[direction]];
-      x[a]         = coordinates[a].values[at_upper_a ? upper[a] : lower[a]];
-      x[b]         = coordinates[b].values[at_upper_b ? upper[b] : lower[b]];
-      return x;
-    };
-    // Anticlockwise, seen from outside.
-    const Point<3> first  = corner(false, false);
-    const Point<3> second = corner(faces_up, !faces_up);
-    const Point<3> third  = corner(true, true);
-    const Point<3> fourth = corner(!faces_up, faces_up);
-
-    const unsigned int face = 2 * direction + faces_up;
-    const int          mark = lower[direction] == face_ranks[face] ? face : -1;
-    facets.push_back(make_facet<3>({{first, second, third}}, mark));
-    facets.push_back(make_facet<3>({{first, third, fourth}}, mark));
   }
 } // namespace Waker

@@ -8,10 +8,11 @@ namespace Waker
 {
   void
   PlaneCoverage::reinit(const std::vector<Box<2>> &boxes,
-                        const BoxUnionRules<2>    &new_rules)
+                        const BoxUnionRules<2>    &new_rules,
+                        const BoxExtents<2>       &all)
   {
     rules = new_rules;
-    choose_lattice(boxes);
+    choose_lattice(all);
     find_cells(boxes);
     mark_cells();
     raster.close_y(gap[1]);
@@ -21,31 +22,21 @@ namespace Waker
 
 
   void
-  PlaneCoverage::choose_lattice(const std::vector<Box<2>> &boxes)
+  PlaneCoverage::choose_lattice(const BoxExtents<2> &all)
   {
-    Point<2>     lower;
-    Point<2>     upper;
-    Tensor<1, 2> smallest;
-    if (!boxes.empty())
+    Point<2>     lower    = all.lower;
+    Point<2>     upper    = all.upper;
+    Tensor<1, 2> smallest = all.smallest;
+    if (all.n == 0.)
       {
-        lower    = boxes[0].lower;
-        upper    = boxes[0].upper;
-        smallest = upper - lower;
+        lower = upper = Point<2>();
+        smallest[0] = smallest[1] = 1.;
       }
-    else
-      smallest[0] = smallest[1] = 1.;
-    for (const Box<2> &box : boxes)
-      for (unsigned int d = 0; d < 2; ++d)
-        {
-          lower[d]    = std::min(lower[d], box.lower[d]);
-          upper[d]    = std::max(upper[d], box.upper[d]);
-          smallest[d] = std::min(smallest[d], box.upper[d] - box.lower[d]);
-        }
 
     for (unsigned int d = 0; d < 2; ++d)
       cell[d] = smallest[d] / block_size[d];
     // Few tiny boxes among large ones must not cost memory.
-    const std::size_t max_words = 4096 + 16 * boxes.size();
+    const double max_words = 4096. + 16. * all.n;
     for (bool fits = false; !fits;)
       {
         double n_words = 1.;
@@ -309,5 +300,22 @@ namespace Waker
             i = skip(end, 0);
           }
       }
+  }
+  void
+  PlaneCoverage::unite_rows(std::vector<Box<2>> &rows)
+  {
+    // Lines of one lattice: they are the same to the bit.
+    std::sort(rows.begin(), rows.end(), [](const Box<2> &a, const Box<2> &b) {
+      return a.lower[1] != b.lower[1] ? a.lower[1] < b.lower[1]
+                                      : a.lower[0] < b.lower[0];
+    });
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      if (n > 0 && rows[n - 1].lower[1] == rows[i].lower[1] &&
+          rows[i].lower[0] <= rows[n - 1].upper[0])
+        rows[n - 1].upper[0] = std::max(rows[n - 1].upper[0], rows[i].upper[0]);
+      else
+        rows[n++] = rows[i];
+    rows.resize(n);
   }
 } // namespace Waker

@@ -4,6 +4,7 @@
 
 #include <deal.II/base/point.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace Waker
@@ -56,10 +57,35 @@ namespace Waker
   bool
   cut_at_closed_faces(const BoxUnionRules<dim> &rules, Box<dim> &box);
 
-  /// Smallest extent of a box in each direction (m).
+  /// What all boxes have in common, also those that others have.
   template <int dim>
-  Tensor<1, dim>
-  smallest_extent(const std::vector<Box<dim>> &boxes);
+  struct BoxExtents
+  {
+    Point<dim>     lower, upper; // of all together (m)
+    Tensor<1, dim> smallest;     // of a box in each direction (m)
+    double         n = 0.;
+
+    /// Before the first box is added.
+    static BoxExtents
+    of_none();
+
+    void
+    add(const Box<dim> &box)
+    {
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          lower[d]    = std::min(lower[d], box.lower[d]);
+          upper[d]    = std::max(upper[d], box.upper[d]);
+          smallest[d] = std::min(smallest[d], box.upper[d] - box.lower[d]);
+        }
+      n += 1.;
+    }
+  };
+
+  /// Those of these boxes.
+  template <int dim>
+  BoxExtents<dim>
+  extents_of(const std::vector<Box<dim>> &boxes);
 } // namespace Waker
 
 #endif

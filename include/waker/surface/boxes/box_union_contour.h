@@ -51,7 +51,38 @@ namespace Waker
     void
     trace(const std::vector<Box<2>> &boxes,
           const BoxUnionRules<2>    &rules,
-          Surface                   &surface);
+          Surface                   &surface)
+    {
+      find_visible(boxes, rules, extents_of(boxes), visible);
+      trace(visible, rules, surface);
+    }
+
+    /// What decides where the contour of boxes is: those that may be seen from
+    /// outside, and blocks that are certainly inside, in rows.
+    struct Visible
+    {
+      std::vector<Box<2>> boxes, covered;
+    };
+
+    /**
+     * That of some of the boxes. Where several look at a part of the boxes
+     * each, all that they find together (PlaneCoverage::unite_rows()) has the
+     * contour of all boxes: a block that a part of them covers is covered, and
+     * who does not know that it is gives boxes that do no harm.
+     *
+     * @param all of all boxes, these and others
+     */
+    void
+    find_visible(const std::vector<Box<2>> &boxes,
+                 const BoxUnionRules<2>    &rules,
+                 const BoxExtents<2>       &all,
+                 Visible                   &visible);
+
+    /// The contour of all boxes of which these are visible.
+    void
+    trace(const Visible          &visible,
+          const BoxUnionRules<2> &rules,
+          Surface                &surface);
 
     /// The rectangles and rows of covered blocks that were swept last.
     std::size_t
@@ -94,8 +125,9 @@ namespace Waker
       unsigned int end;
     };
 
+    // Cut at the closed faces.
     void
-    select(const std::vector<Box<2>> &boxes);
+    select(const Visible &visible);
 
     void
     rank_coordinates();
@@ -140,6 +172,7 @@ namespace Waker
     evaluate(const unsigned int x, const Range &range);
 
     BoxUnionRules<2>          rules;
+    Visible                   visible;
     PlaneCoverage             coverage;
     std::vector<unsigned int> near_surface; // rectangles
     std::vector<Box<2>>       swept;        // cut at the closed faces

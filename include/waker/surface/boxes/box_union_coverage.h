@@ -30,7 +30,23 @@ namespace Waker
   {
   public:
     void
-    reinit(const std::vector<Box<dim>> &boxes, const BoxUnionRules<dim> &rules);
+    reinit(const std::vector<Box<dim>> &boxes, const BoxUnionRules<dim> &rules)
+    {
+      reinit(boxes, rules, extents_of(boxes));
+    }
+
+    /// The same for some of the boxes. Blocks are those of all boxes; what is
+    /// said of one is right if all boxes are there that come nearer to it than
+    /// the minimum gap.
+    /// @param all of all boxes, which say how space is divided
+    void
+    reinit(const std::vector<Box<dim>> &boxes,
+           const BoxUnionRules<dim>    &rules,
+           const BoxExtents<dim>       &all);
+
+    /// Extent of a block (m).
+    static Tensor<1, dim>
+    block_extent(const BoxUnionRules<dim> &rules, const BoxExtents<dim> &all);
 
     /// Count the blocks that a closed face touches as not covered.
     void
@@ -76,6 +92,17 @@ namespace Waker
     Box<dim>
     block(const Index &index) const;
 
+    /// Of a block among those of all boxes: x runs fastest.
+    std::uint64_t
+    number_of_all(const Index &index) const
+    {
+      std::uint64_t number = 0;
+      for (int d = dim - 1; d >= 0; --d)
+        number = number << 21 |
+                 static_cast<std::uint64_t>(first[d] + index[d] + (1 << 20));
+      return number;
+    }
+
     /// The first and last block that a box touches, as far as it lies within
     /// the closed faces.
     void
@@ -114,8 +141,23 @@ namespace Waker
       return i;
     }
 
+    /// Blocks on a lattice through rules.lower, around boxes between these
+    /// corners.
+    struct Lattice
+    {
+      Index       first, n; // n up to 1e6
+      std::size_t n_words;  // of bits
+    };
+
+    static Lattice
+    lattice(const BoxUnionRules<dim> &rules,
+            const Tensor<1, dim>     &block,
+            const Point<dim>         &lower,
+            const Point<dim>         &upper);
+
     void
-    choose_lattice(const std::vector<Box<dim>> &boxes);
+    choose_lattice(const std::vector<Box<dim>> &boxes,
+                   const BoxExtents<dim>       &all);
 
     void
     mark(const std::vector<Box<dim>> &boxes);
@@ -141,6 +183,7 @@ namespace Waker
     Tensor<1, dim>     inverse_block; // 1/m
     Box<dim>           searched; // between the closed faces, within all blocks
     Tensor<1, dim>     cell;     // extent of a small cell, m
+    Index              first;    // number of the first block, from rules.lower
     Index              n;        // blocks
     std::size_t        words_per_row;
     std::array<int, dim> n_lines; // small cells

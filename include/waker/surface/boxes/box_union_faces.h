@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace Waker
@@ -40,6 +41,41 @@ namespace Waker
          const BoxUnionRules<3>    &rules,
          Facets<3>                 &facets);
 
+    /// A part of the surface, as those are told who have not found it.
+    struct Rectangle
+    {
+      std::uint64_t         block; // number among all of them
+      std::int32_t          direction;
+      std::int16_t          faces_up; // 1: the body is below
+      std::int16_t          on_face;
+      double                place;        // in the direction (m)
+      std::array<double, 2> lower, upper; // in the two that follow it (m)
+    };
+
+    /**
+     * What is found in some of the blocks: those of all blocks, in the order of
+     * the blocks, are the surface.
+     *
+     * @param boxes all that may come nearer to these blocks than reach()
+     * @param all of all boxes, these and others
+     * @param is_own is it one of these blocks? By its centre
+     */
+    void
+    find(const std::vector<Box<3>>                   &boxes,
+         const BoxUnionRules<3>                      &rules,
+         const BoxExtents<3>                         &all,
+         const std::function<bool(const Point<3> &x)> is_own,
+         std::vector<Rectangle>                      &rectangles);
+
+    /// How far from the centre of a block, in each direction, boxes may end or
+    /// begin that matter in it (m).
+    static double
+    reach(const BoxUnionRules<3> &rules, const BoxExtents<3> &all);
+
+    /// @param facets overwritten
+    static void
+    to_facets(const std::vector<Rectangle> &rectangles, Facets<3> &facets);
+
   private:
     using Index = BlockCoverage<3>::Index;
     using Ranks = std::array<unsigned int, 3>;
@@ -47,7 +83,7 @@ namespace Waker
     static constexpr unsigned int none = -1;
 
     void
-    select(const std::vector<Box<3>> &boxes);
+    select(const std::vector<Box<3>> &boxes, const BoxExtents<3> &all);
 
     void
     rank_coordinates();
@@ -76,19 +112,13 @@ namespace Waker
     fill_along_y();
 
     void
-    collect_faces(const Index &block, Facets<3> &facets);
+    collect_faces(const Index &block, std::vector<Rectangle> &rectangles);
 
     void
-    collect_plane(const unsigned int direction,
-                  const unsigned int line,
-                  Facets<3>         &facets);
-
-    void
-    add_rectangle(const unsigned int direction,
-                  const Ranks       &lower,
-                  const Ranks       &upper,
-                  const bool         faces_up,
-                  Facets<3>         &facets) const;
+    collect_plane(const Index            &block,
+                  const unsigned int      direction,
+                  const unsigned int      line,
+                  std::vector<Rectangle> &rectangles);
 
     std::size_t
     block_number(const Index &block) const;
@@ -123,6 +153,7 @@ namespace Waker
     std::vector<unsigned int>                reaches;
     std::vector<unsigned char>               inside; // the same, of the block
     std::vector<signed char>                 plane;
+    std::vector<Rectangle>                   found;
   };
 } // namespace Waker
 

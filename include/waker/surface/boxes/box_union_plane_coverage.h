@@ -39,7 +39,17 @@ namespace Waker
   {
   public:
     void
-    reinit(const std::vector<Box<2>> &boxes, const BoxUnionRules<2> &rules);
+    reinit(const std::vector<Box<2>> &boxes, const BoxUnionRules<2> &rules)
+    {
+      reinit(boxes, rules, extents_of(boxes));
+    }
+
+    /// The same for some of the boxes: what these cover alone, all cover.
+    /// @param all of all boxes, which say how the plane is divided
+    void
+    reinit(const std::vector<Box<2>> &boxes,
+           const BoxUnionRules<2>    &rules,
+           const BoxExtents<2>       &all);
 
     /// The numbers of the rectangles of the last call that touch, by themselves
     /// or with their extensions, a block that is not covered, and perhaps some
@@ -50,6 +60,11 @@ namespace Waker
     /// The covered blocks, those in a row along x as one.
     void
     append_covered_rows(std::vector<Box<2>> &rows) const;
+
+    /// Rows that several have found in parts of the same boxes, as one would
+    /// have them: none overlaps another.
+    static void
+    unite_rows(std::vector<Box<2>> &rows);
 
   private:
     using Word = BitRaster::Word;
@@ -64,7 +79,7 @@ namespace Waker
     };
 
     void
-    choose_lattice(const std::vector<Box<2>> &boxes);
+    choose_lattice(const BoxExtents<2> &all);
 
     void
     find_cells(const std::vector<Box<2>> &boxes);
