@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/particles/near_points.h>
 #include <waker/surface/boxes/box_union_contour.h>
 #include <waker/surface/boxes/box_union_faces.h>
 #include <waker/surface/domain_contour.h>
 
 #include <algorithm>
+#include <array>
 
 namespace Waker
 {
@@ -31,6 +33,45 @@ namespace Waker
         }
       return extents;
     }
+
+
+    /// Those of all ranks.
+    template <int dim>
+    BoxExtents<dim>
+    of_all(BoxExtents<dim> extents, const NodeExchange &ranks)
+    {
+      double ends[3 * dim];
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          ends[d]           = -extents.lower[d];
+          ends[dim + d]     = extents.upper[d];
+          ends[2 * dim + d] = -extents.smallest[d];
+        }
+      ranks.largest(ends, 3 * dim);
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          extents.lower[d]    = -ends[d];
+          extents.upper[d]    = ends[dim + d];
+          extents.smallest[d] = -ends[2 * dim + d];
+        }
+      extents.n = ranks.sum(extents.n);
+      return extents;
+    }
+
+
+    /// Boxes of each rank become those of all.
+    void
+    tell_all(const NodeExchange &ranks, std::vector<Box<2>> &boxes)
+    {
+      std::vector<std::array<double, 4>> told; // m
+      for (const Box<2> &box : boxes)
+        told.push_back(
+          {{box.lower[0], box.lower[1], box.upper[0], box.upper[1]}});
+      told = ranks.all_gather(told);
+      boxes.clear();
+      for (const std::array<double, 4> &x : told)
+        boxes.push_back({Point<2>(x[0], x[1]), Point<2>(x[2], x[3])});
+    }
   } // namespace
 
 
@@ -46,7 +87,9 @@ namespace Waker
     BoxUnionFaces         faces; // 3D
     Surface               surface;
 
+    // On several ranks.
     BoxUnionContour::Visible              visible;
+    MaterialPoints<dim>                   around;
     std::vector<BoxUnionFaces::Rectangle> rectangles;
 
     // The rules for domains, in their space.
@@ -105,10 +148,16 @@ namespace Waker
   void
   DomainContour<dim>::detect(const Body<dim> &body, Surface &surface)
   {
-    std::vector<Box<2>>   &domains = work->plane_domains;
-    const BoxExtents<2>    all     = support_domains(body.whole(), domains);
-    const BoxUnionRules<2> rules   = work->rules_for(all);
-    work->contour.find_visible(domains, rules, all, work->visible);
+    std::vector<Box<2>>      &domains = work->plane_domains;
+    const NodeExchange *const ranks =
+      body.window() != nullptr ? &body.window()->exchange() : nullptr;
+    BoxExtents<2> all = support_domains(body.own(), domains);
+    if (ranks != nullptr)
+      all = of_all(all, *ranks);
+    const BoxUnionRules<2> rules = work->rules_for(all);
+    work->contour.find_visible(domains, rules, all, work->visible, ranks);
+    if (ranks != nullptr)
+      tell_all(*ranks, work->visible.boxes);
     work->contour.trace(work->visible, rules, surface);
   }
 
@@ -128,9 +177,37 @@ namespace Waker
   void
   DomainContour<3>::detect(const Body<3> &body, Facets<3> &facets)
   {
-    const BoxExtents<3> all = support_domains(body.whole(), work->domains);
-    work->faces.find(
-      work->domains, work->rules_for(all), all, nullptr, work->rectangles);
+    const BoxExtents<3> own = support_domains(body.own(), work->domains);
+    if (body.window() == nullptr)
+      {
+        work->faces.find(
+          work->domains, work->rules_for(own), own, {}, work->rectangles);
+        BoxUnionFaces::to_facets(work->rectangles, facets);
+        return;
+      }
+    const BackgroundGrid<3> &window = *body.window();
+    const NodeExchange      &ranks  = window.exchange();
+    const BoxExtents<3>      all    = of_all(own, ranks);
+    const BoxUnionRules<3>   rules  = work->rules_for(all);
+    support_domains(own_and_near(body,
+                                 largest_half_size(body.own()) +
+                                   BoxUnionFaces::reach(rules, all),
+                                 work->around),
+                    work->domains);
+    BoxUnionFaces::Share share;
+    share.has = [&](const Point<3> &x) {
+      return window.owns_cell(window.nearest_cell(x));
+    };
+    share.tell_all = [&](std::vector<double> &numbers) {
+      numbers = ranks.all_gather(numbers);
+    };
+    work->faces.find(work->domains, rules, all, share, work->rectangles);
+    work->rectangles = ranks.all_gather(work->rectangles);
+    std::stable_sort(work->rectangles.begin(),
+                     work->rectangles.end(),
+                     [](const auto &a, const auto &b) {
+                       return a.block < b.block;
+                     });
     BoxUnionFaces::to_facets(work->rectangles, facets);
   }
 

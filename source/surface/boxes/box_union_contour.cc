@@ -49,7 +49,8 @@ namespace Waker
   BoxUnionContour::find_visible(const std::vector<Box<2>> &boxes,
                                 const BoxUnionRules<2>    &of_boxes,
                                 const BoxExtents<2>       &all,
-                                Visible                   &found)
+                                Visible                   &found,
+                                const NodeExchange *const  ranks)
   {
     found.covered.clear();
     if (!of_boxes.restricted)
@@ -58,7 +59,7 @@ namespace Waker
         return;
       }
     found.boxes.clear();
-    coverage.reinit(boxes, of_boxes, all);
+    coverage.reinit(boxes, of_boxes, all, ranks);
     coverage.find_open(near_surface);
     for (const unsigned int i : near_surface)
       found.boxes.push_back(boxes[i]);

@@ -10,25 +10,26 @@ namespace Waker
                       const BoxUnionRules<3>    &new_rules,
                       Facets<3>                 &facets)
   {
-    find(boxes, new_rules, extents_of(boxes), nullptr, found);
+    find(boxes, new_rules, extents_of(boxes), Share(), found);
     to_facets(found, facets);
   }
 
 
 
   void
-  BoxUnionFaces::find(const std::vector<Box<3>>                   &boxes,
-                      const BoxUnionRules<3>                      &new_rules,
-                      const BoxExtents<3>                         &all,
-                      const std::function<bool(const Point<3> &x)> is_own,
-                      std::vector<Rectangle>                      &rectangles)
+  BoxUnionFaces::find(const std::vector<Box<3>> &boxes,
+                      const BoxUnionRules<3>    &new_rules,
+                      const BoxExtents<3>       &all,
+                      const Share               &share,
+                      std::vector<Rectangle>    &rectangles)
   {
     rules = new_rules;
     rectangles.clear();
-    if (boxes.empty())
+    if (all.n == 0.)
       return;
     select(boxes, all);
-    rank_coordinates();
+    find_heard(share);
+    rank_coordinates(share);
     list_boxes_by_block();
 
     const Index n = coverage.n_blocks();
@@ -40,8 +41,8 @@ namespace Waker
             if (is_skipped(block))
               continue;
             const Box<3> place = coverage.block(block);
-            if (is_own &&
-                !is_own(place.lower + 0.5 * (place.upper - place.lower)))
+            if (share.has &&
+                !share.has(place.lower + 0.5 * (place.upper - place.lower)))
               continue;
             lay_lattice(block);
             mark_inside(block);
@@ -122,7 +123,66 @@ namespace Waker
 
 
   void
-  BoxUnionFaces::rank_coordinates()
+  BoxUnionFaces::find_heard(const Share &share)
+  {
+    is_heard.assign(selected.size(), share.has ? 0 : 1);
+    if (!share.has)
+      return;
+    for (std::size_t i = 0; i < selected.size(); ++i)
+      {
+        Box<3> reach = selected[i];
+        reach.lower -= rules.minimum_gap;
+        reach.upper += rules.minimum_gap;
+        Index first, last;
+        coverage.touched_blocks(reach, first, last);
+        Index b = first;
+        do
+          {
+            for (b[0] = first[0]; b[0] <= last[0] && !is_heard[i]; ++b[0])
+              if (!rules.restricted || !coverage.is_covered(b))
+                {
+                  const Box<3> place = coverage.block(b);
+                  is_heard[i] =
+                    share.has(place.lower + 0.5 * (place.upper - place.lower));
+                }
+        } while (!is_heard[i] && BlockCoverage<3>::next_row(first, last, b));
+      }
+  }
+
+
+
+  void
+  BoxUnionFaces::add_coordinates_of_all(const unsigned int d,
+                                        const Share       &share,
+                                        const unsigned int tag)
+  {
+    if (!share.tell_all)
+      return;
+    told.clear();
+    for (std::size_t i = 0; i < selected.size(); ++i)
+      if (is_heard[i])
+        {
+          told.push_back(selected[i].lower[d]);
+          told.push_back(selected[i].upper[d]);
+        }
+    // Of those closer to each other than the tolerance as many as hold the rest
+    // together.
+    std::sort(told.begin(), told.end());
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < told.size(); ++i)
+      if (n == 0 || i + 1 == told.size() ||
+          told[i + 1] - told[n - 1] > rules.tolerance)
+        told[n++] = told[i];
+    told.resize(n);
+    share.tell_all(told);
+    for (const double x : told)
+      coordinates[d].add(x, tag);
+  }
+
+
+
+  void
+  BoxUnionFaces::rank_coordinates(const Share &share)
   {
     const unsigned int n = selected.size();
     for (unsigned int d = 0; d < 3; ++d)
@@ -130,10 +190,11 @@ namespace Waker
         SnappedCoordinates &x = coordinates[d];
         x.clear();
         for (unsigned int i = 0; i < n; ++i)
-          {
-            x.add(selected[i].lower[d], 2 * i);
-            x.add(selected[i].upper[d], 2 * i + 1);
-          }
+          if (is_heard[i])
+            {
+              x.add(selected[i].lower[d], 2 * i);
+              x.add(selected[i].upper[d], 2 * i + 1);
+            }
         const unsigned int n_lines = coverage.n_blocks()[d] + 1;
         for (unsigned int i = 0; i < n_lines; ++i)
           {
@@ -152,6 +213,7 @@ namespace Waker
               x.add(place, face_tag + f);
               x.add(f == 0 ? place - block : place + block, face_tag + 2);
             }
+        add_coordinates_of_all(d, share, face_tag + 2);
         x.rank(rules.tolerance);
 
         box_ranks[d].resize(2 * n);

@@ -9,9 +9,11 @@ namespace Waker
   void
   PlaneCoverage::reinit(const std::vector<Box<2>> &boxes,
                         const BoxUnionRules<2>    &new_rules,
-                        const BoxExtents<2>       &all)
+                        const BoxExtents<2>       &all,
+                        const NodeExchange *const  the_ranks)
   {
     rules = new_rules;
+    ranks = the_ranks;
     choose_lattice(all);
     find_cells(boxes);
     mark_cells();
@@ -137,6 +139,14 @@ namespace Waker
               break;
           }
       }
+    if (ranks != nullptr)
+      {
+        double most[] = {has_large ? 1. : 0., static_cast<double>(longest)};
+        ranks->largest(most, 2);
+        has_large = most[0] > 0.;
+        longest   = static_cast<int>(most[1]);
+      }
+    unite_marks();
     raster.dilate_y(mark[1] - 1);
 
     // Along x the marks and the gaps are closed in one go; what is marked in
@@ -152,6 +162,8 @@ namespace Waker
       if (is_large(c))
         for (int y = c.begin_y; y < c.end_y; ++y)
           raster.set(c.begin_x, std::min(c.end_x, n_columns), y);
+    if (has_large)
+      unite_marks();
     mark_beyond_closed_faces();
     raster.dilate_and_erode_x(gap[0], gap[0]);
   }
@@ -302,20 +314,22 @@ namespace Waker
       }
   }
   void
-  PlaneCoverage::unite_rows(std::vector<Box<2>> &rows)
+  PlaneCoverage::unite_marks()
   {
-    // Lines of one lattice: they are the same to the bit.
-    std::sort(rows.begin(), rows.end(), [](const Box<2> &a, const Box<2> &b) {
-      return a.lower[1] != b.lower[1] ? a.lower[1] < b.lower[1]
-                                      : a.lower[0] < b.lower[0];
-    });
-    std::size_t n = 0;
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      if (n > 0 && rows[n - 1].lower[1] == rows[i].lower[1] &&
-          rows[i].lower[0] <= rows[n - 1].upper[0])
-        rows[n - 1].upper[0] = std::max(rows[n - 1].upper[0], rows[i].upper[0]);
-      else
-        rows[n++] = rows[i];
-    rows.resize(n);
+    if (ranks == nullptr)
+      return;
+    struct Told
+    {
+      std::uint64_t place, word;
+    };
+    std::vector<Told> told;
+    Word *const       words = raster.row(0);
+    const std::size_t n = raster.words_per_row() * n_blocks[1] * block_size[1];
+    for (std::size_t k = 0; k < n; ++k)
+      if (words[k] != 0)
+        told.push_back({k, words[k]});
+    told = ranks->all_gather(told);
+    for (const Told &one : told)
+      words[one.place] |= one.word;
   }
 } // namespace Waker

@@ -65,18 +65,19 @@ namespace Waker
     };
 
     /**
-     * That of some of the boxes. Where several look at a part of the boxes
-     * each, all that they find together (PlaneCoverage::unite_rows()) has the
-     * contour of all boxes: a block that a part of them covers is covered, and
-     * who does not know that it is gives boxes that do no harm.
+     * Which they are. Where each of several ranks has some of the boxes, all
+     * that these find together are the visible ones, and each knows all covered
+     * blocks.
      *
      * @param all of all boxes, these and others
+     * @param ranks that have others; null: none
      */
     void
     find_visible(const std::vector<Box<2>> &boxes,
                  const BoxUnionRules<2>    &rules,
                  const BoxExtents<2>       &all,
-                 Visible                   &visible);
+                 Visible                   &visible,
+                 const NodeExchange        *ranks = nullptr);
 
     /// The contour of all boxes of which these are visible.
     void

@@ -52,20 +52,28 @@ namespace Waker
       std::array<double, 2> lower, upper; // in the two that follow it (m)
     };
 
+    /// The blocks of one of several who find the surface together.
+    struct Share
+    {
+      /// Is a block in it? By its centre. Without: all are.
+      std::function<bool(const Point<3> &centre)> has;
+      /// Numbers that each has become those of all.
+      std::function<void(std::vector<double> &)> tell_all;
+    };
+
     /**
      * What is found in some of the blocks: those of all blocks, in the order of
      * the blocks, are the surface.
      *
      * @param boxes all that may come nearer to these blocks than reach()
      * @param all of all boxes, these and others
-     * @param is_own is it one of these blocks? By its centre
      */
     void
-    find(const std::vector<Box<3>>                   &boxes,
-         const BoxUnionRules<3>                      &rules,
-         const BoxExtents<3>                         &all,
-         const std::function<bool(const Point<3> &x)> is_own,
-         std::vector<Rectangle>                      &rectangles);
+    find(const std::vector<Box<3>> &boxes,
+         const BoxUnionRules<3>    &rules,
+         const BoxExtents<3>       &all,
+         const Share               &share,
+         std::vector<Rectangle>    &rectangles);
 
     /// How far from the centre of a block, in each direction, boxes may end or
     /// begin that matter in it (m).
@@ -86,10 +94,21 @@ namespace Waker
     select(const std::vector<Box<3>> &boxes, const BoxExtents<3> &all);
 
     void
-    rank_coordinates();
+    rank_coordinates(const Share &share);
 
     void
     list_boxes_by_block();
+
+    // Those of `selected` that have a say in the share's blocks.
+    void
+    find_heard(const Share &share);
+
+    // Coordinates of boxes that others have, so that those which are one are
+    // the same one everywhere.
+    void
+    add_coordinates_of_all(const unsigned int direction,
+                           const Share       &share,
+                           const unsigned int tag);
 
     // Is there nothing to be found in the block, or no such block?
     bool
@@ -123,9 +142,11 @@ namespace Waker
     std::size_t
     block_number(const Index &block) const;
 
-    BoxUnionRules<3>    rules;
-    BlockCoverage<3>    coverage;
-    std::vector<Box<3>> selected; // cut at the closed faces
+    BoxUnionRules<3>           rules;
+    BlockCoverage<3>           coverage;
+    std::vector<Box<3>>        selected; // cut at the closed faces
+    std::vector<unsigned char> is_heard; // of those selected
+    std::vector<double>        told;     // coordinates
 
     // By direction.
     std::array<SnappedCoordinates, 3>        coordinates;

@@ -2,6 +2,7 @@
 #ifndef waker_surface_boxes_box_union_plane_coverage_h
 #define waker_surface_boxes_box_union_plane_coverage_h
 
+#include <waker/grid/node_exchange.h>
 #include <waker/surface/boxes/box_union.h>
 #include <waker/surface/boxes/box_union_bit_raster.h>
 
@@ -44,12 +45,15 @@ namespace Waker
       reinit(boxes, rules, extents_of(boxes));
     }
 
-    /// The same for some of the boxes: what these cover alone, all cover.
-    /// @param all of all boxes, which say how the plane is divided
+    /// The same where each of several ranks has some of the boxes: each knows
+    /// the blocks that all of them cover.
+    /// @param all of all boxes, these and others
+    /// @param ranks that have others; null: none
     void
     reinit(const std::vector<Box<2>> &boxes,
            const BoxUnionRules<2>    &rules,
-           const BoxExtents<2>       &all);
+           const BoxExtents<2>       &all,
+           const NodeExchange        *ranks = nullptr);
 
     /// The numbers of the rectangles of the last call that touch, by themselves
     /// or with their extensions, a block that is not covered, and perhaps some
@@ -60,11 +64,6 @@ namespace Waker
     /// The covered blocks, those in a row along x as one.
     void
     append_covered_rows(std::vector<Box<2>> &rows) const;
-
-    /// Rows that several have found in parts of the same boxes, as one would
-    /// have them: none overlaps another.
-    static void
-    unite_rows(std::vector<Box<2>> &rows);
 
   private:
     using Word = BitRaster::Word;
@@ -87,6 +86,10 @@ namespace Waker
     void
     mark_cells();
 
+    /// What any rank has marked is marked.
+    void
+    unite_marks();
+
     void
     mark_beyond_closed_faces();
 
@@ -103,6 +106,7 @@ namespace Waker
     static constexpr std::array<int, 2> block_size = {{8, 4}};
 
     BoxUnionRules<2>            rules;
+    const NodeExchange         *ranks = nullptr;
     Point<2>                    origin;
     Tensor<1, 2>                cell; // extent of a small cell, m
     std::array<int, 2>          n_blocks;
