@@ -7,6 +7,31 @@
 
 namespace Waker
 {
+  namespace
+  {
+    /// Of each node of the grid: is the cell that begins there beyond the box?
+    template <int dim>
+    std::vector<unsigned char>
+    cells_beyond(const BackgroundGrid<dim> &grid)
+    {
+      constexpr int              margin = BackgroundGrid<dim>::margin;
+      std::vector<unsigned char> beyond(grid.n_nodes(), 0);
+      for (unsigned int node = 0; node < grid.n_nodes(); ++node)
+        {
+          const auto index = grid.node_index(node);
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              const int i = index[d] + grid.offset()[d];
+              const int n = grid.lattice_nodes_per_direction()[d];
+              if (i < margin || i >= n - 1 - margin)
+                beyond[node] = 1;
+            }
+        }
+      return beyond;
+    }
+  } // namespace
+
+
   template <int dim>
   void
   FilledCells<dim>::reinit(const MaterialPoints<dim> &points,
@@ -49,26 +74,39 @@ namespace Waker
     const double full = std::pow(h, dim);
     for (double &cell : cells)
       cell = share_of_cell(cell / full, which);
+    if (beyond.size() != grid.n_nodes() || begin != grid.offset() ||
+        extent != grid.n_nodes_per_direction())
+      {
+        beyond = cells_beyond(grid);
+        begin  = grid.offset();
+        extent = grid.n_nodes_per_direction();
+      }
 
     for (std::size_t p = 0; p < n; ++p)
       {
-        // B, and the part of it on the lower side in each direction.
-        double mean       = 0.;
+        // B; and of what lies in cells whose centres count, all of it and the
+        // part on the lower side in each direction.
+        double mean = 0., counted = 0.;
         double lower[dim] = {};
+        bool   is_at_edge = false;
         for (unsigned int cell = 0; cell < n_cells; ++cell)
           {
-            double b = cells[node(p, cell)];
+            const unsigned int i      = node(p, cell);
+            double             volume = 1.;
             for (unsigned int d = 0; d < dim; ++d)
-              b *= share(p, cell, d);
-            mean += b;
+              volume *= share(p, cell, d);
+            mean += cells[i] * volume;
+            is_at_edge     = is_at_edge || beyond[i];
+            const double c = beyond[i] ? cells[i] * volume : volume;
+            counted += c;
             for (unsigned int d = 0; d < dim; ++d)
               if (!(cell >> d & 1))
-                lower[d] += b;
+                lower[d] += c;
           }
         shares[p] = std::max(2. * mean - 1., 0.);
-        if (shares[p] > 0.)
+        if (shares[p] > 0. && is_at_edge)
           for (unsigned int d = 0; d < dim; ++d)
-            first[p][d] = lower[d] / mean;
+            first[p][d] = lower[d] / counted;
       }
   }
 

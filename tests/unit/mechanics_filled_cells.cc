@@ -136,14 +136,14 @@ namespace mechanics_filled_cells
     }
 
 
-    /// A block that reaches into the empty cells on its right by a part e of a
-    /// cell, with a pressure that grows with depth. The largest force along
-    /// their faces on nodes that only these cells have.
+    /// A block at the right face of the box that reaches beyond it by a part e
+    /// of a cell, with a pressure that grows with depth. The largest force
+    /// along their faces on nodes that only these cells have.
     template <int dim>
     double
     force_behind_the_face(const double e, const BBarCells cells)
     {
-      const BackgroundGrid<dim> grid(Lattice::grid<dim>(1.5, h));
+      const BackgroundGrid<dim> grid(Lattice::grid<dim>(3. * h, h));
       Weights<dim>              weights(grid, ShapeFunctions::gimp);
       Point<dim>                x;
       for (unsigned int d = 0; d < dim; ++d)
@@ -182,6 +182,28 @@ namespace mechanics_filled_cells
         EXPECT_GT(force_behind_the_face<2>(e, BBarCells::all), 0.1 * e);
         EXPECT_GT(force_behind_the_face<3>(e, BBarCells::all), 0.1 * e);
       }
+  }
+
+
+  TEST(Mechanics, b_bar_at_a_free_surface_in_the_box_counts_its_centres)
+  {
+    // The block of before in a larger box: what is right of it is inside.
+    const BackgroundGrid<2> grid(Lattice::grid<2>(2.5, h));
+    Weights<2>              weights(grid, ShapeFunctions::gimp);
+    MaterialPoints<2>       points = Lattice::box(Point<2>(h, h), 4, 0.5 * h);
+    for (Point<2> &x : points.position)
+      x[0] += 0.01 * h;
+    weights.reinit(points);
+    FilledCells<2> filled;
+    filled.reinit(points, weights);
+    unsigned int n_across = 0;
+    for (std::size_t p = 0; p < points.n_points(); ++p)
+      {
+        const auto plain = CentreWeights<2>::shares(weights[p], h);
+        EXPECT_EQ(filled.first_shares(p), plain);
+        n_across += plain[0] > 0. && plain[0] < 1.;
+      }
+    EXPECT_GT(n_across, 0u);
   }
 
 

@@ -36,13 +36,15 @@ namespace Waker
    * with B the mean of b over the support domain: one of which half or more
    * lies in cells without B-bar has none.
    *
-   * Into an empty cell, behind a wall along which soil moves, a domain may
-   * reach by a hair e. The values at that cell's centre would push its nodes
-   * along the wall in proportion to e; their mass, and what the standard
-   * gradients do there, is in proportion to e^2. So in each direction the
-   * values are those of two cells with their shares times the mean b of what
-   * lies there. (Across the wall both are in proportion to e, as a traction on
-   * the surface is.)
+   * Into an empty cell beyond the grid's box, behind a face along which soil
+   * moves, a domain may reach by a hair e. The values at that cell's centre
+   * would push its nodes along the face in proportion to e; their mass, and
+   * what the standard gradients do there, is in proportion to e^2. So in each
+   * direction the values are those of two cells with their shares, of cells
+   * beyond the box times b. (Across the face both are in proportion to e, as a
+   * traction on the surface is.) Inside the box, at a free surface, the same
+   * would take from nodes of partly filled cells what holds them against the
+   * water on them.
    */
   template <int dim>
   class FilledCells
@@ -90,6 +92,11 @@ namespace Waker
     std::vector<double> cells; // by their lowest node: volume (m^dim), then b
     std::vector<double> shares;
     std::vector<std::array<double, dim>> first;
+    // Of each node: does its cell lie beyond the box? For the window that
+    // begins there.
+    std::vector<unsigned char>          beyond;
+    typename BackgroundGrid<dim>::Index begin;
+    std::array<unsigned int, dim>       extent;
   };
 } // namespace Waker
 
