@@ -8,7 +8,6 @@
 #include <cmath>
 #include <limits>
 #include <set>
-#include <stdexcept>
 
 namespace Waker
 {
@@ -147,12 +146,18 @@ namespace Waker
               return false;
           return this->is_own[place(own, index)] != 0;
         };
-        // In boxes around it: nearly always it is one's own.
-        bool found = is_own(cell);
+        // In boxes around it: nearly always it is one's own. What is further
+        // off is about to leave the grid; for it all ranks are near.
+        constexpr int farthest_sought = 16;
+        bool          found           = is_own(cell);
         for (int reach = 1; !found; ++reach)
           {
-            if (reach > 64)
-              throw std::logic_error("a point is far from its rank's cells");
+            if (reach > farthest_sought)
+              {
+                for (const unsigned int n : whole->n_nodes_per_direction())
+                  farthest = std::max(farthest, static_cast<int>(n));
+                break;
+              }
             const unsigned int n = 2 * reach + 1;
             for (unsigned int k = 0; k < Utilities::pow(n, dim) && !found; ++k)
               {

@@ -104,7 +104,7 @@ namespace Waker
     };
     constexpr int n_rings = 3; // where there is soil near a surface
     for (Ball &ball : balls)
-      if (window->owns_cell(window->nearest_cell(ball.centre)))
+      if (window->has_cell(window->nearest_cell(ball.centre)))
         if (const std::uint32_t p = own_shares.nearest(ball.centre, n_rings);
             p != PointShares<dim>::none)
           ball.radius = ball.centre.distance(points.position[p]);

@@ -61,6 +61,9 @@ namespace surface_contour_of_ranks
                 l[d] = 0.5 * spacing * (1. + 0.3 * noise * number(random));
                 x[d] = std::max(x[d], 1e-3);
               }
+            // One among them is much larger, on a part of the ranks.
+            if (dim == 2 && points.n_points() == 100)
+              l[0] *= 6.;
             points.id.push_back(points.n_points());
             points.position.push_back(x);
             points.half_size.push_back(l);

@@ -81,7 +81,7 @@ namespace Waker
 
     /// At how many points of `state`, that apply() has set last, a drawn value
     /// is one that the law would refuse, as a dilatancy angle above the
-    /// friction angle: it counts as the most that the law takes. Nothing
+    /// friction angle, which counts as the most that the law takes. Nothing
     /// without fields.
     std::optional<std::uint64_t>
     n_beyond_law(const State<dim> &state) const;

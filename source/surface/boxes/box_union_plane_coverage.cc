@@ -113,13 +113,13 @@ namespace Waker
   void
   PlaneCoverage::mark_cells()
   {
-    bool has_large = false;
-    longest        = 0;
+    std::vector<Cells> large_ones;
+    longest = 0;
     for (const Cells &c : cells)
       {
         if (is_large(c))
           {
-            has_large = true;
+            large_ones.push_back(c);
             continue;
           }
         longest = std::max(longest, c.end_x - c.begin_x);
@@ -141,10 +141,9 @@ namespace Waker
       }
     if (ranks != nullptr)
       {
-        double most[] = {has_large ? 1. : 0., static_cast<double>(longest)};
-        ranks->largest(most, 2);
-        has_large = most[0] > 0.;
-        longest   = static_cast<int>(most[1]);
+        longest =
+          static_cast<int>(ranks->largest(static_cast<double>(longest)));
+        large_ones = ranks->all_gather(large_ones);
       }
     unite_marks();
     raster.dilate_y(mark[1] - 1);
@@ -152,18 +151,15 @@ namespace Waker
     // Along x the marks and the gaps are closed in one go; what is marked in
     // full takes part as if it had been dilated for the gaps.
     const auto n_columns = n_blocks[0] * block_size[0];
-    if (!has_large && (rules.closed_faces & 15u) == 0)
+    if (large_ones.empty() && (rules.closed_faces & 15u) == 0)
       {
         raster.dilate_and_erode_x(mark[0] - 1 + gap[0], gap[0]);
         return;
       }
     raster.dilate_x(mark[0] - 1, 0);
-    for (const Cells &c : cells)
-      if (is_large(c))
-        for (int y = c.begin_y; y < c.end_y; ++y)
-          raster.set(c.begin_x, std::min(c.end_x, n_columns), y);
-    if (has_large)
-      unite_marks();
+    for (const Cells &c : large_ones)
+      for (int y = c.begin_y; y < c.end_y; ++y)
+        raster.set(c.begin_x, std::min(c.end_x, n_columns), y);
     mark_beyond_closed_faces();
     raster.dilate_and_erode_x(gap[0], gap[0]);
   }
