@@ -15,12 +15,12 @@ namespace Waker
     if (!scheme_traits(p.time).has_long_steps)
       return;
     const auto refuse = [&](const std::string &path,
-                            const std::string &problem) {
-      throw UserError(path,
-                      problem + ", with Time stepping/Scheme = " +
-                        name_of(p.time.scheme),
-                      std::string("none, or Time stepping/Scheme = ") +
-                        name_of(Scheme::newmark));
+                            const std::string &problem,
+                            const std::string &allowed = "none") {
+      throw UserError(
+        path,
+        problem + ", with Time stepping/Scheme = " + name_of(p.time.scheme),
+        allowed + ", or Time stepping/Scheme = " + name_of(Scheme::newmark));
     };
     if (!p.load_programmes.empty())
       refuse("Load programmes/Names",
@@ -30,7 +30,8 @@ namespace Waker
       if (m.softens() && m.regularisation == Regularisation::nonlocal)
         refuse("Materials/" + m.name + "/Regularisation",
                "is nonlocal, which softens soil after a step, when a long one "
-               "is taken to be in balance");
+               "is taken to be in balance",
+               "a softening of each point (with Softening length)");
     if (!p.inflows.empty())
       refuse("Inflow/Names",
              "has " + in_quotes(p.inflows.front().name) +

@@ -99,6 +99,13 @@ namespace Waker
     for (const Item &item : items)
       {
         const std::string path = "Tractions/" + item.parameters.name;
+        if (item.placement->is_fixed() && item.traction.moves())
+          throw UserError(path + (item.traction.is_hydrostatic() ? "/Level"
+                                                                 : "/Value"),
+                          "changes in time, but fixed points get their loads "
+                          "once, at t = 0",
+                          "what does not change (Load programmes may change "
+                          "it), or another Method");
         if (item.part.empty())
           throw UserError(path + (!item.parameters.from.empty() ? "/From"
                                   : !item.parameters.facing.empty()

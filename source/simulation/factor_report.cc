@@ -118,6 +118,14 @@ namespace Waker
     else
       text << "Stable at the upper factor " << *search.highest_stable()
            << " still: raise \"Strength reduction/Upper factor\".";
+    // A smaller factor has failed: chance, or trouble with the numbers.
+    if (search.lowest_failed())
+      for (const auto &[factor, trial] : table.all())
+        if (factor > *search.lowest_failed() &&
+            trial.result != TrialResult::failed)
+          text << " Strange: " << factor << " did not fail ("
+               << to_string(trial.outcome) << "), but "
+               << *search.lowest_failed() << " did.";
     return text.str();
   }
 } // namespace Waker

@@ -299,8 +299,9 @@ namespace Waker
             "\n  " + std::to_string(e.n_beyond_law) +
             " whose draw is beyond a law at points, at up to " +
             std::to_string(e.most_points_beyond_law) +
-            " of them (as a dilatancy angle above the friction angle, which "
-            "counts as the most that the law takes): counted above";
+            " of them (a dilatancy angle above the friction angle counts as the "
+            "most that the law takes, an overconsolidation ratio below 1 as it "
+            "is): counted above";
         if (!may_flood)
           text += "\n  no water level: nothing can flood";
         for (const Quantity &q : quantities(*scenario.records))

@@ -411,6 +411,8 @@ def tractions(cases):
     traction("nothing there", "From", "-5, 3", "no part of the surface",
              "Tractions/load/To=-4, 4")
     traction("nothing that faces", "Facing", "0, -1", "no part of the surface")
+    traction("fixed points by t", "Value", "1 + t", "once, at t = 0",
+             "Tractions/load/Method=fixed points")
     traction("a liquid on soil", "Follows", "soil", "liquid", hydrostatic,
              "Tractions/load/Level=1")
     traction("nodes on soil", "Follows", "soil", '"surface nodes"',

@@ -167,9 +167,11 @@ namespace simulation_load_changes
     EXPECT_EQ(last_change(p), 6.);
     p.stop.loads_constant_from = "unknown";
 
-    // What was fixed at the start changes no more.
+    // What was fixed at the start changes no more, nor may it be given as if.
     traction.method       = TractionMethod::fixed_points;
     traction.surface_file = bar.folder.file("bar");
+    EXPECT_NE(complaint(p).find("changes in time"), std::string::npos);
+    traction.value = "1; x";
     EXPECT_EQ(last_change(p), LastChange::never);
 
     FixityParameters push;
