@@ -178,7 +178,7 @@ namespace loads_tractions
     bar.load("fixed points");
     bar.load("updated points");
     bar.parameters.tractions[1].value = "1 + t";
-    bar.parameters.tractions[0].value = "1 + t";
+    bar.parameters.tractions[0].value = "1";
     const Case<2>     the_case(bar.parameters, MPI_COMM_SELF);
     Scene<2>          scene(the_case);
     MaterialPoints<2> points = the_case.initial_points;
