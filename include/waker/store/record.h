@@ -71,8 +71,8 @@ namespace Waker
     /// without an average of its own.
     std::optional<std::vector<FieldSummary>> random_fields;
     /// Points at t = 0 to which the draw gives what their law would refuse, as
-    /// a dilatancy angle above the friction angle, which counts as the most that
-    /// the law takes.
+    /// a dilatancy angle above the friction angle, which counts as the most
+    /// that the law takes.
     std::optional<std::uint64_t> points_beyond_law;
 
     std::uint64_t steps             = 0;
