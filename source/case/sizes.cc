@@ -37,6 +37,8 @@ namespace Waker
     {
       const bool gravity = parameters.gravity.initial_stress;
       const bool direct  = factorises(parameters.time);
+      if (!gravity && !scheme_traits(parameters.time).is_implicit)
+        return 0.;
       if (dim == 3 || !(gravity || direct))
         return 8. * 60. * dim * n_nodes; // basis of the Krylov space
       // Of a factor of a plane grid's matrix: some 10 n log2(n) entries of
