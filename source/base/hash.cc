@@ -31,7 +31,7 @@ namespace Waker
 
 
   CheckedPiece
-  check_piece(const std::string &piece)
+  check_piece(const std::string_view piece)
   {
     const uLong crc =
       crc32_z(0, reinterpret_cast<const Bytef *>(piece.data()), piece.size());
@@ -39,15 +39,28 @@ namespace Waker
   }
 
 
+  CheckedPiece
+  joined(const std::vector<CheckedPiece> &pieces)
+  {
+    uLong         crc  = 0;
+    std::uint64_t size = 0;
+    for (const CheckedPiece &piece : pieces)
+      {
+        crc = crc32_combine(crc, piece.crc, static_cast<z_off_t>(piece.size));
+        size += piece.size;
+      }
+    return {static_cast<std::uint32_t>(crc), size};
+  }
+
+
   std::string
   checksum_of_pieces(const std::vector<CheckedPiece> &pieces)
   {
-    uLong crc = 0;
-    for (const CheckedPiece &piece : pieces)
-      crc = crc32_combine(crc, piece.crc, static_cast<z_off_t>(piece.size));
-
     char digits[9];
-    std::snprintf(digits, sizeof digits, "%08lx", crc);
+    std::snprintf(digits,
+                  sizeof digits,
+                  "%08lx",
+                  static_cast<unsigned long>(joined(pieces).crc));
     return digits;
   }
 

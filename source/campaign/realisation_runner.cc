@@ -70,10 +70,9 @@ namespace Waker
       wants(const StopReason /*stop*/, const bool last) override
       {
         Wanted wanted;
-        if (last)
-          return wanted; // it has all
-        is_due     = keeper.is_due(state.time, false);
-        wanted.all = is_due || is_first_look_due();
+        if (!last)
+          is_due = keeper.is_due(state.time, false);
+        wanted.all = last || is_due || is_first_look_due();
         return wanted;
       }
 

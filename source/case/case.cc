@@ -172,13 +172,16 @@ namespace Waker
     pore_water.record(initial_points, WaterLevel(p.water).at(0.));
     prepare_domains(p.mapping.domains, initial_points);
     programmes.prepare(p, initial_points);
+    has_point_loads = !initial_points.load.empty();
     check_run_sizes(run_sizes(*this), p, n_ranks_here(grid.communicator()));
     initial_height = crest_height(initial_points);
     if constexpr (dim == 3)
       if (!p.surface.is_of_section(dim))
         sections = dyke_sections(grid, initial_points);
     if (p.sliding.watch)
-      initial_crest(*this); // can it be found?
+      slides.emplace(initial_points,
+                     initial_crest(*this),
+                     p.sliding.displacement);
     set_initial_state(watcher);
   }
 

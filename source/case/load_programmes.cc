@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace Waker
 {
@@ -238,20 +239,26 @@ namespace Waker
 
 
   template <int dim>
-  double
-  LoadProgrammes<dim>::share_lost(const std::size_t          programme,
-                                  const MaterialPoints<dim> &points) const
+  std::vector<double>
+  LoadProgrammes<dim>::shares_lost(const Body<dim> &body) const
   {
-    const LoadProgrammeParameters &p = programmes[programme].parameters();
-    if (!facts_of(p.drives).has_points)
-      return 0.;
-    const double all = p.drives == LoadTarget::weight
-                         ? p.weight.unit_weight * p.weight.area()
-                         : 1.;
-    double       now = 0.;
-    for (const double carried : carried_load(p, points))
-      now += carried;
-    return 1. - now / all;
+    std::vector<double> shares;
+    for (const LoadProgramme &programme : programmes)
+      {
+        const LoadProgrammeParameters &p       = programme.parameters();
+        const std::vector<double>     &carried = carried_load(p, body.own());
+        shares.push_back(std::accumulate(carried.begin(), carried.end(), 0.));
+      }
+    body.sum(shares.data(), shares.size());
+    for (std::size_t i = 0; i < shares.size(); ++i)
+      {
+        const LoadProgrammeParameters &p   = programmes[i].parameters();
+        const double                   all = p.drives == LoadTarget::weight
+                                               ? p.weight.unit_weight * p.weight.area()
+                                               : 1.;
+        shares[i] = facts_of(p.drives).has_points ? 1. - shares[i] / all : 0.;
+      }
+    return shares;
   }
 
 

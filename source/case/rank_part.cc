@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/host.h>
 #include <waker/base/ranks.h>
 #include <waker/case/rank_part.h>
 #include <waker/loads/nodal_support.h>
 #include <waker/mapping/transfer.h>
+#include <waker/measures/sliding_masses.h>
 #include <waker/surface/user_surface.h>
 
 #include <algorithm>
@@ -35,12 +37,31 @@ namespace Waker
     , loads_surfaces(the_case.parameters.water.stands() ||
                      !the_case.parameters.tractions.empty())
   {
+    forget_copy();
     make_window();
+  }
+
+
+  template <int dim>
+  void
+  RankPart<dim>::forget_copy()
+  {
+    // What flows in comes to the copy first.
+    if (the_case->flow.has_inflow())
+      return;
+    exchange.forget(*whole);
+    places_are_known = false;
+    give_back_memory();
   }
 
 
   namespace
   {
+    /// A copy of the whole body that nobody has asked for in so many steps
+    /// goes.
+    constexpr unsigned int steps_of_copy = 20;
+
+
     std::vector<unsigned int>
     owned_nodes(const NodeExchange &ranks, const unsigned int n_nodes)
     {
@@ -177,6 +198,8 @@ namespace Waker
   {
     exchange.send_home(*partition);
     places_are_known = false;
+    if (steps_left > 0 && --steps_left == 0)
+      forget_copy();
   }
 
 
@@ -185,8 +208,15 @@ namespace Waker
   RankPart<dim>::know_places()
   {
     if (!places_are_known)
-      exchange.gather_places(*whole);
+      exchange.gather_places(*whole,
+                             {"material",
+                              "mass",
+                              "initial_position",
+                              "initial half size",
+                              SlidingMassFinder<dim>::changed_scalar(),
+                              SlidingMassFinder<dim>::volume_scalar()});
     places_are_known = true;
+    steps_left       = steps_of_copy;
     return *whole;
   }
 
@@ -197,6 +227,7 @@ namespace Waker
   {
     exchange.gather(*whole);
     places_are_known = true;
+    steps_left       = steps_of_copy;
     complete_nodes(all);
   }
 

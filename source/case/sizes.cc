@@ -86,9 +86,8 @@ namespace Waker
       per_step += 20.;
     sizes.computing = 1e-6 * per_step * n_points * sizes.steps;
 
-    // Its arrays, weights and tangent; and, which each rank has, the points of
-    // the body as they are, and those at the start, in the place of which the
-    // first one later makes a checkpoint.
+    // Its arrays, weights and tangent; at the start each rank has the arrays of
+    // all points, and those of its own beside them.
     const double of_arrays = 8. * (4 + 7 * dim + 2 * 6 + 8);
     const double of_tangent =
       scheme_traits(time).is_implicit || parameters.gravity.initial_stress
@@ -96,11 +95,13 @@ namespace Waker
         : 0.;
     const double per_point = of_arrays + 8. * 6 * dim + of_tangent;
     const double per_node  = 8. * (2 + 20 * dim);
-    sizes.memory           = (per_point * n_points + per_node * n_nodes +
-                    solver_memory<dim>(parameters, n_points, n_nodes)) /
-                     n_ranks +
-                   (dim == 3 || n_ranks > 1 ? 2. * of_arrays : 0.) * n_points +
-                   (n_ranks > 1 ? per_node : 0.) * n_nodes;
+    const double at_start  = of_arrays * n_points * (n_ranks > 1 ? 1. : 0.);
+    sizes.memory =
+      std::max(at_start + of_arrays * n_points / n_ranks,
+               (per_point * n_points +
+                solver_memory<dim>(parameters, n_points, n_nodes)) /
+                 n_ranks) +
+      per_node * n_nodes * (n_ranks > 1 ? 1. + 1. / n_ranks : 1.);
 
     sizes.snapshots =
       output.interval > 0.

@@ -4,6 +4,7 @@
 #include <waker/loads/water_level.h>
 #include <waker/mechanics/energy.h>
 #include <waker/mechanics/time_scheme.h>
+#include <waker/output/point_arrays.h>
 
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
@@ -13,14 +14,17 @@
 #include <boost/serialization/binary_object.hpp>
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
+#include <cstring>
 #include <stdexcept>
+#include <string_view>
+#include <utility>
 
 namespace Waker
 {
   namespace
   {
     /// Raised when what is stored changes.
-    constexpr unsigned int this_layout = 3;
+    constexpr unsigned int this_layout = 4;
 
 
     // Doubles and tensors of doubles: their bytes are their value.
@@ -36,9 +40,10 @@ namespace Waker
     }
 
 
+    /// @param sizes of the points' arrays
     template <int dim, typename Archive>
     void
-    all(Archive &archive, State<dim> &state)
+    all(Archive &archive, std::vector<std::uint64_t> &sizes, State<dim> &state)
     {
       unsigned int layout = this_layout;
       archive     &layout;
@@ -49,10 +54,7 @@ namespace Waker
       state.points.scalars.resize(n_scalars);
       for (NamedArray &scalar : state.points.scalars)
         archive &scalar.name;
-      MaterialPoints<dim>::for_each_array(state.points,
-                                          [&](const char *, auto &values) {
-                                            array(archive, values);
-                                          });
+      archive    &sizes;
       std::size_t n_surfaces = state.surface_vertices.size();
       archive    &n_surfaces;
       state.surface_vertices.resize(n_surfaces);
@@ -72,24 +74,54 @@ namespace Waker
 
   template <int dim>
   std::string
-  State<dim>::write() const
+  State<dim>::write_record(const std::vector<std::uint64_t> &array_sizes) const
   {
-    std::size_t n_bytes = 1 << 16; // and a little more
-    MaterialPoints<dim>::for_each_array(points,
-                                        [&](const char *, const auto &values) {
-                                          n_bytes +=
-                                            sizeof(values[0]) * values.size();
-                                        });
-    std::string bytes; // there once, however many points there are
-    bytes.reserve(n_bytes);
+    std::string bytes;
     {
       boost::iostreams::stream<
         boost::iostreams::back_insert_device<std::string>>
                                       stream(bytes);
       boost::archive::binary_oarchive archive(stream);
-      // Boost's archives write through a reference that is not const.
-      all(archive, const_cast<State<dim> &>(*this));
+      // Boost's archives write through references that are not const.
+      all(archive,
+          const_cast<std::vector<std::uint64_t> &>(array_sizes),
+          const_cast<State<dim> &>(*this));
     }
+    return bytes;
+  }
+
+
+  template <int dim>
+  void
+  State<dim>::read_record(const std::string &bytes)
+  {
+    boost::iostreams::stream<boost::iostreams::array_source> stream(
+      bytes.data(), bytes.size());
+    boost::archive::binary_iarchive archive(stream);
+    std::vector<std::uint64_t>      sizes;
+    all(archive, sizes, *this);
+    auto size = sizes.begin();
+    MaterialPoints<dim>::for_each_array(points, [&](const char *, auto &array) {
+      if (size == sizes.end())
+        throw std::runtime_error("arrays without a size");
+      array.resize(*size++);
+    });
+  }
+
+
+  template <int dim>
+  std::string
+  State<dim>::write() const
+  {
+    const OwnRows                    all_rows(points.n_points());
+    const std::vector<std::uint64_t> sizes  = array_sizes(points, all_rows);
+    const std::string                record = write_record(sizes);
+    const std::uint64_t              n      = record.size();
+    std::string                      bytes; // there once, however many points
+    bytes.reserve(sizeof n + n + n_bytes_of_arrays(points, sizes));
+    bytes.append(reinterpret_cast<const char *>(&n), sizeof n);
+    bytes += record;
+    append_arrays(points, bytes);
     return bytes;
   }
 
@@ -98,39 +130,62 @@ namespace Waker
   void
   State<dim>::read(const std::string &bytes)
   {
-    boost::iostreams::stream<boost::iostreams::array_source> stream(
-      bytes.data(), bytes.size());
-    boost::archive::binary_iarchive archive(stream);
-    all(archive, *this);
+    std::uint64_t n = 0;
+    if (bytes.size() < sizeof n)
+      throw std::runtime_error("no state");
+    std::memcpy(&n, bytes.data(), sizeof n);
+    if (n > bytes.size() - sizeof n)
+      throw std::runtime_error("a state without its end");
+    read_record(bytes.substr(sizeof n, n));
+    read_arrays(std::string_view(bytes).substr(sizeof n + n), points);
   }
+
+
+  namespace
+  {
+    template <int dim>
+    State<dim>
+    state_of(const Case<dim> &the_case, MaterialPoints<dim> points)
+    {
+      State<dim> state;
+      state.points = std::move(points);
+      if (the_case.parameters.sliding.watch)
+        SlidingMassFinder<dim>::start(state.points);
+      state.surface_vertices     = initial_vertices(the_case);
+      state.wall_tractions       = the_case.initial_wall_tractions;
+      state.energy.kinetic_start = kinetic_energy(state.points);
+      state.energy.kinetic       = state.energy.kinetic_start;
+      state.energy.elastic_start =
+        elastic_energy(state.points, the_case.materials);
+      state.energy.elastic = state.energy.elastic_start;
+      state.loads          = the_case.programmes.start();
+      state.pore_water =
+        the_case.pore_water.start(WaterLevel(the_case.parameters.water).at(0.));
+      the_case.flow.start(state);
+      // Whether what is there at t = 0 is in balance is seen by a short one.
+      const TimeParameters &time = the_case.parameters.time;
+      state.long_steps.active =
+        scheme_traits(time).has_long_steps && state.energy.kinetic_start == 0.;
+      if (state.long_steps.active)
+        state.halvings = time.maximum_halvings;
+      return state;
+    }
+  } // namespace
 
 
   template <int dim>
   State<dim>
   initial_state(const Case<dim> &the_case)
   {
-    State<dim> state;
-    state.points = the_case.initial_points;
-    if (the_case.parameters.sliding.watch)
-      SlidingMassFinder<dim>::start(state.points);
-    state.surface_vertices     = initial_vertices(the_case);
-    state.wall_tractions       = the_case.initial_wall_tractions;
-    state.energy.kinetic_start = kinetic_energy(state.points);
-    state.energy.kinetic       = state.energy.kinetic_start;
-    state.energy.elastic_start =
-      elastic_energy(state.points, the_case.materials);
-    state.energy.elastic = state.energy.elastic_start;
-    state.loads          = the_case.programmes.start();
-    state.pore_water =
-      the_case.pore_water.start(WaterLevel(the_case.parameters.water).at(0.));
-    the_case.flow.start(state);
-    // Whether what is there at t = 0 is in balance is seen by a short one.
-    const TimeParameters &time = the_case.parameters.time;
-    state.long_steps.active =
-      scheme_traits(time).has_long_steps && state.energy.kinetic_start == 0.;
-    if (state.long_steps.active)
-      state.halvings = time.maximum_halvings;
-    return state;
+    return state_of(the_case, the_case.initial_points);
+  }
+
+
+  template <int dim>
+  State<dim>
+  initial_state(Case<dim> &&the_case)
+  {
+    return state_of(the_case, std::move(the_case.initial_points));
   }
 
 
@@ -140,4 +195,8 @@ namespace Waker
   initial_state(const Case<2> &);
   template State<3>
   initial_state(const Case<3> &);
+  template State<2>
+  initial_state(Case<2> &&);
+  template State<3>
+  initial_state(Case<3> &&);
 } // namespace Waker

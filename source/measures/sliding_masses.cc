@@ -146,6 +146,14 @@ namespace Waker
 
 
   template <int dim>
+  const char *
+  SlidingMassFinder<dim>::volume_scalar()
+  {
+    return volume_name;
+  }
+
+
+  template <int dim>
   void
   SlidingMassFinder<dim>::start(MaterialPoints<dim> &points)
   {

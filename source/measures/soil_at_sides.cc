@@ -50,13 +50,11 @@ namespace Waker
 
   template <int dim>
   bool
-  soil_lies_against_side(const BackgroundGrid<dim> &grid,
-                         const MaterialPoints<dim> &points,
-                         const Openings<dim>       &openings)
+  lies_against_side(const BackgroundGrid<dim> &grid,
+                    const SoilAtSides<dim>    &soil)
   {
     // A little less than half a cell: volumes change under pressure.
-    const double           limit = 0.45 * std::pow(grid.cell_size(), dim);
-    const SoilAtSides<dim> soil  = soil_at_sides(grid, points, openings);
+    const double limit = 0.45 * std::pow(grid.cell_size(), dim);
     return soil.volume[0] > limit || soil.volume[1] > limit;
   }
 
@@ -70,11 +68,7 @@ namespace Waker
                 const MaterialPoints<3> &,
                 const Openings<3> &);
   template bool
-  soil_lies_against_side(const BackgroundGrid<2> &,
-                         const MaterialPoints<2> &,
-                         const Openings<2> &);
+  lies_against_side(const BackgroundGrid<2> &, const SoilAtSides<2> &);
   template bool
-  soil_lies_against_side(const BackgroundGrid<3> &,
-                         const MaterialPoints<3> &,
-                         const Openings<3> &);
+  lies_against_side(const BackgroundGrid<3> &, const SoilAtSides<3> &);
 } // namespace Waker

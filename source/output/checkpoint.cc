@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/base/errors.h>
 #include <waker/base/file_error.h>
+#include <waker/base/hash.h>
+#include <waker/base/ranks.h>
 #include <waker/base/version.h>
 #include <waker/output/checkpoint.h>
 #include <waker/output/files.h>
 #include <waker/output/free_at_resume.h>
 #include <waker/output/output_files.h>
 #include <waker/output/parameter_differences.h>
+#include <waker/output/point_arrays.h>
 
-#include <boost/crc.hpp>
-#include <cerrno>
-#include <cstring>
+#include "joint_file.h"
 #include <filesystem>
 
 namespace Waker
@@ -56,12 +57,9 @@ namespace Waker
 
     /// Of the schema version and of all that stands behind the CRC itself.
     std::uint32_t
-    checksum(const std::string &file)
+    checksum(const std::string_view schema, const CheckedPiece &rest)
     {
-      boost::crc_32_type crc;
-      crc.process_bytes(file.data() + schema_at, crc_at - schema_at);
-      crc.process_bytes(file.data() + size_at, file.size() - size_at);
-      return crc.checksum();
+      return joined({check_piece(schema), rest}).crc;
     }
 
 
@@ -80,10 +78,14 @@ namespace Waker
     {
       if (!std::filesystem::exists(path))
         return SlotState::missing;
-      const std::string file = read_file(path);
+      checkpoint.file         = read_file(path);
+      const std::string &file = checkpoint.file;
       if (file.size() < payload_at || file.compare(0, schema_at, magic) != 0 ||
           number_at<std::uint64_t>(file, size_at) != file.size() - payload_at ||
-          number_at<std::uint32_t>(file, crc_at) != checksum(file))
+          number_at<std::uint32_t>(file, crc_at) !=
+            checksum(std::string_view(file).substr(schema_at,
+                                                   crc_at - schema_at),
+                     check_piece(std::string_view(file).substr(size_at))))
         return SlotState::damaged;
       if (number_at<std::uint32_t>(file, schema_at) >
           Checkpoint::schema_version)
@@ -110,6 +112,7 @@ namespace Waker
       checkpoint.case_hash = next_text();
       checkpoint.program   = next_text();
       checkpoint.blob      = next_text();
+      checkpoint.arrays_at = at;
       return good ? SlotState::good : SlotState::damaged;
     }
   } // namespace
@@ -131,29 +134,78 @@ namespace Waker
   }
 
 
+  namespace
+  {
+    constexpr bool to_disk = true, makes_folder = true;
+
+    /// Its checksum is known at the end.
+    void
+    seal(JointFile &file)
+    {
+      std::string schema, crc;
+      append_number(schema, Checkpoint::schema_version);
+      append_number(crc, checksum(schema, file.checked_from(size_at)));
+      file.replace(crc_at, crc);
+    }
+  } // namespace
+
+
+  void
+  CheckpointSlots::add_beginning(const std::uint64_t step,
+                                 const std::string  &blob,
+                                 const std::uint64_t n_more,
+                                 JointFile          &file) const
+  {
+    std::string text = magic;
+    append_number(text, Checkpoint::schema_version);
+    append_number(text, std::uint32_t{0});
+    file.add_text(text);
+    file.add_part(""); // what the checksum is not of ends here
+
+    const std::string program = "waker " WAKER_VERSION " " WAKER_BUILD_TYPE;
+    text.clear();
+    append_number(text,
+                  4 * sizeof(std::uint64_t) + case_hash.size() +
+                    program.size() + blob.size() + n_more);
+    append_number(text, step);
+    append_text(text, case_hash);
+    append_text(text, program);
+    append_number(text, static_cast<std::uint64_t>(blob.size()));
+    file.add_text(text);
+    file.add_text(blob);
+  }
+
+
   void
   CheckpointSlots::write(const std::uint64_t step, const std::string &blob)
   {
-    make_folder(std::filesystem::path(slot_path(next_slot)).parent_path());
+    JointFile file(MPI_COMM_SELF, slot_path(next_slot), to_disk, makes_folder);
+    add_beginning(step, blob, 0, file);
+    seal(file);
+    file.write();
+    next_slot = (next_slot + 1) % n_slots;
+  }
 
-    const std::string   program   = "waker " WAKER_VERSION " " WAKER_BUILD_TYPE;
-    const std::uint64_t n_payload = 4 * sizeof(std::uint64_t) +
-                                    case_hash.size() + program.size() +
-                                    blob.size();
-    std::string file = magic;
-    file.reserve(payload_at + n_payload);
-    append_number(file, Checkpoint::schema_version);
-    append_number(file, std::uint32_t{0});
-    append_number(file, n_payload);
-    append_number(file, step);
-    append_text(file, case_hash);
-    append_text(file, program);
-    append_text(file, blob);
-    std::string crc;
-    append_number(crc, checksum(file));
-    file.replace(crc_at, crc.size(), crc);
 
-    write_file(slot_path(next_slot), file, /*to_disk =*/true);
+  template <int dim>
+  void
+  CheckpointSlots::write(const std::uint64_t        step,
+                         const BlobOfArrays        &blob,
+                         const MaterialPoints<dim> &own,
+                         const OwnRows             &rows)
+  {
+    const std::vector<std::uint64_t> sizes = array_sizes(own, rows);
+    JointFile                        file(rows.communicator,
+                   slot_path(next_slot),
+                   to_disk,
+                   makes_folder);
+    add_beginning(step,
+                  is_first_rank(rows.communicator) ? blob(sizes) : "",
+                  n_bytes_of_arrays(own, sizes),
+                  file);
+    add_arrays(own, rows, sizes, file);
+    seal(file);
+    file.write();
     next_slot = (next_slot + 1) % n_slots;
   }
 
@@ -226,4 +278,16 @@ namespace Waker
                 std::to_string(newest.step);
     return newest;
   }
+
+
+  template void
+  CheckpointSlots::write(const std::uint64_t,
+                         const BlobOfArrays &,
+                         const MaterialPoints<2> &,
+                         const OwnRows &);
+  template void
+  CheckpointSlots::write(const std::uint64_t,
+                         const BlobOfArrays &,
+                         const MaterialPoints<3> &,
+                         const OwnRows &);
 } // namespace Waker

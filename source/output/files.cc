@@ -137,8 +137,40 @@ namespace Waker
 
 
   int
-  finish(const TemporaryFile &file, const std::string &path, int error)
+  append(const TemporaryFile &file, const std::string &text)
   {
+    return write_all(file.descriptor, text) == text.size() ? 0 : errno;
+  }
+
+
+
+  int
+  overwrite(const TemporaryFile &file,
+            const std::size_t    at,
+            const std::string   &text)
+  {
+    ssize_t n;
+    do
+      n = ::pwrite(file.descriptor,
+                   text.data(),
+                   text.size(),
+                   static_cast<off_t>(at));
+    while (n < 0 && errno == EINTR);
+    if (n < 0)
+      return errno;
+    return static_cast<std::size_t>(n) == text.size() ? 0 : ENOSPC;
+  }
+
+
+
+  int
+  finish(const TemporaryFile &file,
+         const std::string   &path,
+         const bool           to_disk,
+         int                  error)
+  {
+    if (error == 0 && to_disk && !sync_descriptor(file.descriptor))
+      error = errno;
     // A signal in it does not leave it open.
     if (::close(file.descriptor) != 0 && error == 0 && errno != EINTR)
       error = errno;
@@ -146,6 +178,13 @@ namespace Waker
       error = errno;
     if (error != 0)
       std::remove(file.name.c_str());
+    // The new name is safe only once the folder is on the disk, too.
+    if (error == 0 && to_disk)
+      {
+        const std::size_t slash = path.rfind('/');
+        sync_path(slash == std::string::npos ? std::string(".")
+                                             : path.substr(0, slash + 1));
+      }
     return error;
   }
 
@@ -159,20 +198,9 @@ namespace Waker
     const TemporaryFile file(path);
     if (file.error != 0)
       throw_cannot_write(file.name, file.error);
-    const bool written =
-      write_all(file.descriptor, contents) == contents.size() &&
-      (!to_disk || sync_descriptor(file.descriptor));
-    const int error = finish(file, path, written ? 0 : errno);
+    const int error = finish(file, path, to_disk, append(file, contents));
     if (error != 0)
       throw_cannot_write(path, error);
-
-    // The new name is safe only once the folder is on the disk, too.
-    if (to_disk)
-      {
-        const std::size_t slash = path.rfind('/');
-        sync_path(slash == std::string::npos ? std::string(".")
-                                             : path.substr(0, slash + 1));
-      }
   }
 
 

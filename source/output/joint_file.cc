@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "joint_file.h"
 
-#include <waker/base/hash.h>
+#include <deal.II/base/exceptions.h>
+
 #include <waker/base/ranks.h>
 #include <waker/output/files.h>
 
-#include "temporary_file.h"
 #include <algorithm>
+#include <array>
 #include <cerrno>
-#include <cstdint>
 #include <fcntl.h>
-#include <optional>
-#include <utility>
+#include <filesystem>
+#include <system_error>
 
 namespace Waker
 {
@@ -47,23 +47,20 @@ namespace Waker
     }
 
 
-    /// One of all ranks', if any has one.
-    int
-    error_of_any(const int error, const MPI_Comm communicator)
-    {
-      return Utilities::MPI::max(error, communicator);
-    }
-
-
     /// Room on the disk, if the file system can tell: no rank then finds it
-    /// full when others have written.
-    /// @return an errno, or 0
+    /// full when others have written. @return an errno, or 0
     int
-    make_room(const int descriptor, const std::size_t n_bytes)
+    make_room(const int           descriptor,
+              const std::uint64_t begin,
+              const std::uint64_t n_bytes)
     {
+      if (n_bytes == 0)
+        return 0;
       int error;
       do
-        error = ::posix_fallocate(descriptor, 0, static_cast<off_t>(n_bytes));
+        error = ::posix_fallocate(descriptor,
+                                  static_cast<off_t>(begin),
+                                  static_cast<off_t>(n_bytes));
       while (error == EINTR);
       for (const int fault : {ENOSPC, EDQUOT, EFBIG, EIO})
         if (error == fault)
@@ -71,6 +68,73 @@ namespace Waker
       return 0;
     }
   } // namespace
+
+
+  JointFile::JointFile(const MPI_Comm     communicator,
+                       const std::string &given_path,
+                       const bool         to_disk,
+                       const bool         makes_folder)
+    : communicator(communicator)
+    , path(given_path)
+    , to_disk(to_disk)
+    , has_others(n_ranks(communicator) > 1)
+  {
+    if (has_others)
+      path = shared(path, communicator);
+    // What is wrong with the place shows when the first rank makes the file.
+    std::string name = path;
+    if (is_first_rank(communicator))
+      {
+        std::error_code folder_error;
+        if (makes_folder)
+          std::filesystem::create_directories(
+            std::filesystem::path(path).parent_path(), folder_error);
+        error = folder_error.value();
+        if (error == 0)
+          {
+            file.emplace(path);
+            name  = file->name;
+            error = file->error;
+          }
+      }
+    if (!has_others)
+      {
+        if (error != 0)
+          throw_cannot_write(name, error);
+        return;
+      }
+    name  = shared(name, communicator);
+    error = of_any(error);
+    if (error == 0)
+      // Only if it is there: a rank that does not see the folder must not make
+      // another file.
+      error = of_any(errno_of(MPI_File_open(communicator,
+                                            name.c_str(),
+                                            MPI_MODE_WRONLY,
+                                            MPI_INFO_NULL,
+                                            &open_file)));
+    if (error != 0)
+      {
+        if (file && file->error == 0)
+          finish(*file, path, false, error);
+        throw_cannot_write(name, error);
+      }
+  }
+
+
+  JointFile::~JointFile()
+  {
+    // An exception came between; other ranks may not have one.
+    if (file)
+      finish(*file, path, false, ECANCELED);
+  }
+
+
+  int
+  JointFile::of_any(const int mine) const
+  {
+    return has_others ? Utilities::MPI::max(mine, communicator) : mine;
+  }
 
 
   void
@@ -85,105 +149,115 @@ namespace Waker
   JointFile::add_part(const std::string &part)
   {
     next += part;
-    if (n_ranks(communicator) > 1)
-      parts.push_back(std::exchange(next, std::string()));
+    end_piece();
   }
 
 
-  std::string
-  JointFile::write(const std::string &path)
+  void
+  JointFile::end_piece()
   {
-    add_part(""); // the rest of the text
-    const unsigned int n = n_ranks(communicator);
-    if (n == 1)
+    const CheckedPiece mine = check_piece(next);
+    if (!has_others)
       {
-        write_file(path, next);
-        return checksum_of_text(next);
+        if (error == 0)
+          error = append(*file, next);
+        pieces.push_back(mine);
+        n_bytes += mine.size;
+        next.clear();
+        return;
       }
-
-    std::vector<std::uint64_t> mine; // CRC and size of each part
-    for (const std::string &part : parts)
-      {
-        const CheckedPiece piece = check_piece(part);
-        mine.push_back(piece.crc);
-        mine.push_back(piece.size);
-      }
-    std::vector<std::uint64_t> all(n * mine.size());
-    MPI_Allgather(mine.data(),
-                  static_cast<int>(mine.size()),
-                  MPI_UINT64_T,
-                  all.data(),
-                  static_cast<int>(mine.size()),
-                  MPI_UINT64_T,
-                  communicator);
+    const unsigned int n  = n_ranks(communicator);
     const unsigned int me = Utilities::MPI::this_mpi_process(communicator);
-    std::vector<CheckedPiece> pieces;
-    std::vector<MPI_Offset>   begins; // of the own parts
-    std::size_t               n_bytes = 0;
-    for (std::size_t k = 0; k < parts.size(); ++k)
-      for (unsigned int rank = 0; rank < n; ++rank)
-        {
-          if (rank == me)
-            begins.push_back(static_cast<MPI_Offset>(n_bytes));
-          const std::uint64_t *const piece = &all[rank * mine.size() + 2 * k];
-          pieces.push_back({static_cast<std::uint32_t>(piece[0]), piece[1]});
-          n_bytes += piece[1];
-        }
-
-    // What is wrong with the place shows when the first rank makes the file.
-    std::optional<TemporaryFile> file;
-    if (me == 0)
-      file.emplace(path);
-    const std::string name = shared(file ? file->name : "", communicator);
-    int error              = error_of_any(file ? file->error : 0, communicator);
-    if (error != 0)
-      throw_cannot_write(name, error);
-    error = error_of_any(file ? make_room(file->descriptor, n_bytes) : 0,
-                         communicator);
+    const std::array<std::uint64_t, 2>        told{{mine.crc, mine.size}};
+    std::vector<std::array<std::uint64_t, 2>> all(n);
+    MPI_Allgather(
+      told.data(), 2, MPI_UINT64_T, all.data(), 2, MPI_UINT64_T, communicator);
+    std::uint64_t my_begin = n_bytes, end = n_bytes;
+    for (unsigned int rank = 0; rank < n; ++rank)
+      {
+        if (rank == me)
+          my_begin = end;
+        pieces.push_back(
+          {static_cast<std::uint32_t>(all[rank][0]), all[rank][1]});
+        end += all[rank][1];
+      }
     if (error == 0)
-      error = write_parts(name, begins);
-    if (file)
-      error = finish(*file, path, error);
-    error = error_of_any(error, communicator);
-    if (error != 0)
-      throw_cannot_write(path, error);
-    return checksum_of_pieces(pieces);
+      error =
+        of_any(file ? make_room(file->descriptor, n_bytes, end - n_bytes) : 0);
+    if (error == 0)
+      error = of_any(write_own(my_begin, next));
+    n_bytes = end;
+    next.clear();
   }
 
 
   int
-  JointFile::write_parts(const std::string             &name,
-                         const std::vector<MPI_Offset> &begins) const
+  JointFile::write_own(std::uint64_t at, const std::string &text) const
   {
-    // Only if it is there: a rank that does not see the folder must not make
-    // another file.
-    MPI_File  file;
-    const int opened = MPI_File_open(
-      communicator, name.c_str(), MPI_MODE_WRONLY, MPI_INFO_NULL, &file);
-    int error = error_of_any(errno_of(opened), communicator);
+    for (std::size_t from = 0; from < text.size(); from += most_at_once)
+      {
+        const int size =
+          static_cast<int>(std::min(most_at_once, text.size() - from));
+        MPI_Status status;
+        const int  fault =
+          errno_of(MPI_File_write_at(open_file,
+                                     static_cast<MPI_Offset>(at + from),
+                                     text.data() + from,
+                                     size,
+                                     MPI_BYTE,
+                                     &status));
+        if (fault != 0)
+          return fault;
+        int written = 0;
+        MPI_Get_count(&status, MPI_BYTE, &written);
+        if (written < size)
+          return ENOSPC; // what write() means by it
+      }
+    return 0;
+  }
+
+
+  CheckedPiece
+  JointFile::checked_from(const std::uint64_t first)
+  {
+    end_piece();
+    std::uint64_t at    = 0;
+    auto          piece = pieces.begin();
+    for (; piece != pieces.end() && at < first; ++piece)
+      at += piece->size;
+    AssertThrow(at == first, ExcMessage("no piece of the file begins there"));
+    return joined({piece, pieces.end()});
+  }
+
+
+  void
+  JointFile::replace(const std::uint64_t at, const std::string &text)
+  {
+    end_piece();
+    if (error == 0)
+      error = of_any(!file        ? 0
+                     : has_others ? write_own(at, text)
+                                  : overwrite(*file, at, text));
+  }
+
+
+  std::string
+  JointFile::write()
+  {
+    end_piece(); // the rest of the text
+    if (has_others)
+      {
+        if (error == 0 && to_disk)
+          error = errno_of(MPI_File_sync(open_file));
+        const int closed = errno_of(MPI_File_close(&open_file));
+        error            = of_any(error != 0 ? error : closed);
+      }
+    if (file)
+      error = finish(*file, path, to_disk, error);
+    file.reset();
+    error = of_any(error);
     if (error != 0)
-      return error;
-    for (std::size_t k = 0; k < parts.size(); ++k)
-      for (std::size_t from = 0; from < parts[k].size() && error == 0;
-           from += most_at_once)
-        {
-          const int size =
-            static_cast<int>(std::min(most_at_once, parts[k].size() - from));
-          MPI_Status status;
-          error = errno_of(
-            MPI_File_write_at(file,
-                              begins[k] + static_cast<MPI_Offset>(from),
-                              parts[k].data() + from,
-                              size,
-                              MPI_BYTE,
-                              &status));
-          int written = 0;
-          if (error == 0)
-            MPI_Get_count(&status, MPI_BYTE, &written);
-          if (error == 0 && written < size)
-            error = ENOSPC; // what write() means by it
-        }
-    const int closed = MPI_File_close(&file);
-    return error_of_any(error != 0 ? error : errno_of(closed), communicator);
+      throw_cannot_write(path, error);
+    return checksum_of_pieces(pieces);
   }
 } // namespace Waker

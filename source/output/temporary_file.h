@@ -2,6 +2,7 @@
 #ifndef waker_source_output_temporary_file_h
 #define waker_source_output_temporary_file_h
 
+#include <cstddef>
 #include <string>
 
 namespace Waker
@@ -19,11 +20,28 @@ namespace Waker
   };
 
 
+  /// At its end. @return an errno, or 0
+  int
+  append(const TemporaryFile &file, const std::string &text);
+
+  /// Over what is there.
+  /// @param at first byte of the file
+  /// @return an errno, or 0
+  int
+  overwrite(const TemporaryFile &file,
+            const std::size_t    at,
+            const std::string   &text);
+
   /// The end of it: closed, and renamed to `path`, or removed if there has been
   /// an error.
+  /// @param to_disk is it to outlast a power cut? Then what other processes
+  ///        have written must be on the disk already.
   /// @return `error` or, if that is 0, what goes wrong here
   int
-  finish(const TemporaryFile &file, const std::string &path, int error);
+  finish(const TemporaryFile &file,
+         const std::string   &path,
+         const bool           to_disk,
+         int                  error);
 } // namespace Waker
 
 #endif

@@ -259,7 +259,7 @@ namespace Waker
 
     char time_text[32];
     std::snprintf(time_text, sizeof time_text, "%.17g", time);
-    JointFile file(own.communicator);
+    JointFile file(own.communicator, path);
     file.add_text(
       "<?xml version=\"1.0\"?>\n"
       "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" "
@@ -313,7 +313,7 @@ namespace Waker
                        file);
       }
     file.add_text("</PointData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
-    return file.write(path);
+    return file.write();
   }
 
 

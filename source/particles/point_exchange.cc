@@ -11,6 +11,7 @@
 #include <functional>
 #include <numeric>
 #include <stdexcept>
+#include <type_traits>
 
 namespace Waker
 {
@@ -38,7 +39,7 @@ namespace Waker
     }
 
 
-    /// Do points have this array? A rank without points asks the whole body.
+    /// Do points have this array?
     template <int dim>
     std::vector<bool>
     arrays_in_use(const MaterialPoints<dim> &whole)
@@ -48,24 +49,6 @@ namespace Waker
                                           [&](const char *, const auto &array) {
                                             used.push_back(!array.empty());
                                           });
-      return used;
-    }
-
-
-    /// Of those in use, the ones that are named; all of them if none is.
-    template <int dim>
-    std::vector<bool>
-    arrays_named(const MaterialPoints<dim>      &whole,
-                 const std::vector<std::string> &names)
-    {
-      std::vector<bool> used;
-      MaterialPoints<dim>::for_each_array(
-        whole, [&](const char *name, const auto &array) {
-          used.push_back(
-            !array.empty() &&
-            (names.empty() ||
-             std::find(names.begin(), names.end(), name) != names.end()));
-        });
       return used;
     }
 
@@ -135,13 +118,6 @@ namespace Waker
     MPI_Alltoall(
       n_out.data(), 1, MPI_INT, n_in.data(), 1, MPI_INT, communicator);
 
-    // A rank without points has none of the arrays: the others tell.
-    std::vector<bool> used = arrays_in_use(points);
-    std::vector<int>  flags(used.begin(), used.end());
-    MPI_Allreduce(
-      MPI_IN_PLACE, flags.data(), flags.size(), MPI_INT, MPI_MAX, communicator);
-    used.assign(flags.begin(), flags.end());
-
     std::vector<Bytes> arrays = bytes_of_points(points, used);
     arrays.push_back(bytes_of(places));
     const std::size_t      size      = bytes_per_point(arrays);
@@ -210,15 +186,41 @@ namespace Waker
 
   template <int dim>
   void
-  PointExchange<dim>::gather(MaterialPoints<dim>            &whole,
-                             const std::vector<std::string> &names) const
+  PointExchange<dim>::forget(MaterialPoints<dim> &whole)
   {
+    MaterialPoints<dim>::for_each_array(
+      whole, [&](const char *const name, auto &array) {
+        if (std::strcmp(name, "id") != 0)
+          std::decay_t<decltype(array)>().swap(array);
+      });
+  }
+
+
+  template <int dim>
+  void
+  PointExchange<dim>::gather(MaterialPoints<dim> &whole,
+                             const Names         &changing,
+                             const Names         &constant) const
+  {
+    const auto is_in = [](const Names &names, const std::string &name) {
+      return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    const bool        is_for_a_step = !changing.empty();
+    std::vector<bool> wanted;
+    auto              flag = used.begin();
+    MaterialPoints<dim>::for_each_array(
+      whole, [&](const char *const name, auto &array) {
+        wanted.push_back(*flag++ && (!is_for_a_step || is_in(changing, name) ||
+                                     (array.empty() && is_in(constant, name))));
+        if (wanted.back())
+          array.resize(n_whole);
+      });
+
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
     // To be read only.
     auto                    &mine = const_cast<MaterialPoints<dim> &>(points);
-    const std::vector<bool>  used = arrays_named(whole, names);
-    const std::vector<Bytes> from = bytes_of_points(mine, used);
-    const std::vector<Bytes> to   = bytes_of_points(whole, used);
+    const std::vector<Bytes> from = bytes_of_points(mine, wanted);
+    const std::vector<Bytes> to   = bytes_of_points(whole, wanted);
 
     const int        my_n = points.n_points();
     std::vector<int> all_n(n_ranks);
@@ -241,7 +243,7 @@ namespace Waker
         const std::size_t size = to[k].size;
         const MpiBytes    value(size);
         received.resize(size * there.size());
-        if (!names.empty()) // else it is for a checkpoint, or the end
+        if (is_for_a_step) // else it is for a campaign's record, or the end
           {
             ++sent.reductions;
             sent.bytes += size * points.n_points();
@@ -264,9 +266,10 @@ namespace Waker
 
   template <int dim>
   void
-  PointExchange<dim>::gather_places(MaterialPoints<dim> &whole) const
+  PointExchange<dim>::gather_places(MaterialPoints<dim> &whole,
+                                    const Names         &constant) const
   {
-    gather(whole, {"position", "velocity", "half_size", "volume"});
+    gather(whole, {"position", "velocity", "half_size", "volume"}, constant);
   }
 
 
@@ -274,7 +277,7 @@ namespace Waker
   void
   PointExchange<dim>::gather(MaterialPoints<dim> &whole) const
   {
-    gather(whole, {});
+    gather(whole, {}, {});
   }
 
 
@@ -283,10 +286,15 @@ namespace Waker
   PointExchange<dim>::take(const std::string         &name,
                            const MaterialPoints<dim> &whole)
   {
-    auto                    &body = const_cast<MaterialPoints<dim> &>(whole);
-    const std::vector<bool>  used = arrays_named(whole, {name});
-    const std::vector<Bytes> from = bytes_of_points(body, used);
-    const std::vector<Bytes> to   = bytes_of_points(points, used);
+    auto             &body = const_cast<MaterialPoints<dim> &>(whole);
+    std::vector<bool> named;
+    MaterialPoints<dim>::for_each_array(whole,
+                                        [&](const char *one, const auto &) {
+                                          named.push_back(used[named.size()] &&
+                                                          name == one);
+                                        });
+    const std::vector<Bytes> from = bytes_of_points(body, named);
+    const std::vector<Bytes> to   = bytes_of_points(points, named);
     for (std::size_t k = 0; k < to.size(); ++k)
       for (std::size_t p = 0; p < places.size(); ++p)
         std::memcpy(to[k].data + p * to[k].size,
@@ -334,8 +342,8 @@ namespace Waker
       if (partition.owner(whole.position[p]) == rank)
         places.push_back(p);
     n_whole                       = whole.n_points();
+    used                          = arrays_in_use(whole);
     auto                    &body = const_cast<MaterialPoints<dim> &>(whole);
-    const std::vector<bool>  used = arrays_in_use(whole);
     const std::vector<Bytes> from = bytes_of_points(body, used);
     std::vector<Bytes>       to   = bytes_of_points(points, used);
     for (std::size_t k = 0; k < to.size(); ++k)

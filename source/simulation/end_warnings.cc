@@ -43,12 +43,12 @@ namespace Waker
     template <int dim>
     void
     warn_of_lost_loads(const LoadProgrammes<dim> &programmes,
-                       const State<dim>          &state,
+                       const std::vector<double> &shares,
                        Log                       &log)
     {
-      for (std::size_t i = 0; i < programmes.list().size(); ++i)
+      for (std::size_t i = 0; i < shares.size(); ++i)
         {
-          const double lost = programmes.share_lost(i, state.points);
+          const double lost = shares[i];
           if (lost < 1e-3)
             continue;
           std::ostringstream text;
@@ -79,31 +79,19 @@ namespace Waker
 
   template <int dim>
   void
-  warn_at_end(const Case<dim>  &the_case,
-              const State<dim> &state,
-              const Scene<dim> &scene,
-              const Outcome     outcome,
-              Log              &log)
+  warn_at_end(const StepView<dim> &view, const Outcome outcome, Log &log)
   {
     const std::string pumped =
-      energy_from_the_mapping(state, the_case.parameters, outcome);
+      energy_from_the_mapping(view.state, view.the_case.parameters, outcome);
     if (!pumped.empty())
       log.warning(pumped);
-    warn_of_lost_loads(the_case.programmes, state, log);
-    warn_of_idle_walls(the_case, scene, log);
+    warn_of_lost_loads(view.the_case.programmes, view.totals.lost_loads, log);
+    warn_of_idle_walls(view.the_case, view.scene, log);
   }
 
 
   template void
-  warn_at_end(const Case<2> &,
-              const State<2> &,
-              const Scene<2> &,
-              const Outcome,
-              Log &);
+  warn_at_end(const StepView<2> &, const Outcome, Log &);
   template void
-  warn_at_end(const Case<3> &,
-              const State<3> &,
-              const Scene<3> &,
-              const Outcome,
-              Log &);
+  warn_at_end(const StepView<3> &, const Outcome, Log &);
 } // namespace Waker

@@ -3,10 +3,8 @@
 #define waker_simulation_end_warnings_h
 
 #include <waker/base/log.h>
-#include <waker/case/case.h>
-#include <waker/case/scene.h>
-#include <waker/case/state.h>
 #include <waker/control/outcome.h>
+#include <waker/observers/observer.h>
 
 namespace Waker
 {
@@ -14,11 +12,7 @@ namespace Waker
   /// loads that have left with their soil, walls that may have held nothing.
   template <int dim>
   void
-  warn_at_end(const Case<dim>  &the_case,
-              const State<dim> &state,
-              const Scene<dim> &scene,
-              const Outcome     outcome,
-              Log              &log);
+  warn_at_end(const StepView<dim> &view, const Outcome outcome, Log &log);
 } // namespace Waker
 
 #endif

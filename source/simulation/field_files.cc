@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <waker/base/host.h>
 #include <waker/base/ranks.h>
 #include <waker/loads/liquid.h>
 #include <waker/output/grid_writer.h>
@@ -68,12 +69,12 @@ namespace Waker
       write_particles(view, own);
     if (output.top_view)
       write_top_view(view, own);
-    if (!is_first_rank(own.rows.communicator))
-      return;
-    if (output.surface)
+    const bool is_first = is_first_rank(own.rows.communicator);
+    if (is_first && output.surface)
       write_surfaces(view);
-    if (output.grid)
+    if (is_first && output.grid)
       write_grid(view);
+    give_back_memory();
   }
 
 
@@ -96,8 +97,7 @@ namespace Waker
   {
     const State<dim> &state = view.state;
     PointVectors<dim> loads;
-    // A rank without points has none of their arrays.
-    if (!state.points.load.empty())
+    if (view.the_case.has_point_loads)
       loads.push_back({"load", "kN", &own.points.load});
     for (std::size_t i = 0; i < view.scene.tractions.size(); ++i)
       {

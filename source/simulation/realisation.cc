@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <string>
@@ -41,11 +42,6 @@ namespace Waker
     , control(the_case.parameters.time, state)
   {
     make_schemes();
-    const SlidingMassParameters &sliding = the_case.parameters.sliding;
-    if (sliding.watch)
-      slides.emplace(the_case.initial_points,
-                     initial_crest(the_case),
-                     sliding.displacement);
     report.kinetic_energy = state.energy.kinetic;
     report.elastic_energy = state.energy.elastic;
   }
@@ -221,12 +217,13 @@ namespace Waker
   {
     if (!part)
       return mine;
-    double any[4] = {double(mine.files),
+    double any[5] = {double(mine.files),
                      double(mine.places),
                      double(mine.nodes),
-                     double(mine.all)};
-    part->grid->exchange().largest(any, 4);
-    return {any[0] > 0., any[1] > 0., any[2] > 0., any[3] > 0.};
+                     double(mine.all),
+                     double(mine.checkpoint)};
+    part->grid->exchange().largest(any, 5);
+    return {any[0] > 0., any[1] > 0., any[2] > 0., any[3] > 0., any[4] > 0.};
   }
 
 
@@ -236,6 +233,35 @@ namespace Waker
   {
     return part ? part->grid->exchange().largest(one_does ? 1. : 0.) > 0.
                 : one_does;
+  }
+
+
+  namespace
+  {
+    template <int dim>
+    bool
+    is_finite(const MaterialPoints<dim> &points)
+    {
+      const auto finite = [](const auto &values) {
+        return std::all_of(values.begin(), values.end(), [](const auto &value) {
+          return std::isfinite(value.norm());
+        });
+      };
+      return std::all_of(points.position.begin(),
+                         points.position.end(),
+                         [](const Point<dim> &x) {
+                           return std::isfinite(x.square());
+                         }) &&
+             finite(points.velocity) && finite(points.stress);
+    }
+  } // namespace
+
+
+  template <int dim>
+  bool
+  Realisation<dim>::has_numbers() const
+  {
+    return !any(!is_finite(own_points()));
   }
 
 
@@ -251,27 +277,37 @@ namespace Waker
                           scene.water_level(state->time),
                           parameters.water.stands(),
                           parameters.initial_failure.limits);
-    const Body<dim>             body     = this->body();
-    const std::vector<double>  &mass     = body.own().mass;
-    const Tensor<1, dim>        momentum = Waker::momentum(body.own());
-    std::array<double, 1 + dim> sums;
+    const Body<dim>            body     = this->body();
+    const std::vector<double> &mass     = body.own().mass;
+    const Tensor<1, dim>       momentum = Waker::momentum(body.own());
+    SoilAtSides<dim>           at_sides =
+      soil_at_sides(the_case->grid, body.own(), the_case->flow.openings());
+    std::array<double, 3 + dim> sums;
     sums[0] = std::accumulate(mass.begin(), mass.end(), 0.);
     for (unsigned int d = 0; d < dim; ++d)
       sums[1 + d] = momentum[d];
+    std::copy_n(at_sides.volume.begin(), 2, &sums[1 + dim]);
     body.sum(sums.data(), sums.size());
     totals.mass = sums[0];
     for (unsigned int d = 0; d < dim; ++d)
       totals.momentum[d] = sums[1 + d];
+    std::copy_n(&sums[1 + dim], 2, at_sides.volume.begin());
+    lies_at_box = lies_against_side(the_case->grid, at_sides);
     state->failure.watch_slopes(body,
                                 the_case->grid,
                                 parameters.water.inner_direction(),
                                 state->time,
                                 parameters.initial_failure.limits);
     if (!the_case->programmes.list().empty())
-      totals.settlement = largest_settlement(body);
+      {
+        totals.settlement = largest_settlement(body);
+        totals.lost_loads = the_case->programmes.shares_lost(body);
+      }
     const bool slid =
-      slides &&
-      slides->update(state->time, body, state->points, state->sliding);
+      the_case->slides && the_case->slides->update(state->time,
+                                                   body,
+                                                   state->points,
+                                                   state->sliding);
     if (slid && part)
       part->point_exchange().take(SlidingMassFinder<dim>::changed_scalar(),
                                   state->points);
@@ -306,9 +342,7 @@ namespace Waker
     unrest.loads_change =
       unrest.loads_change ||
       programmes_change_until(*the_case, *state) > since * (1. + 1e-9);
-    unrest.at_box = soil_lies_against_side(the_case->grid,
-                                           state->points,
-                                           the_case->flow.openings());
+    unrest.at_box = lies_at_box;
     return unrest;
   }
 

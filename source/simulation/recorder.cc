@@ -3,6 +3,7 @@
 #include <waker/base/host.h>
 #include <waker/output/files.h>
 #include <waker/output/output_files.h>
+#include <waker/output/point_arrays.h>
 #include <waker/simulation/recorder.h>
 
 #include <boost/archive/binary_iarchive.hpp>
@@ -23,10 +24,10 @@ namespace Waker
     struct Progress
     {
       /// Raised when what is stored changes; State has its own.
-      static constexpr unsigned int this_layout = 5;
+      static constexpr unsigned int this_layout = 6;
 
-      std::string    state;
-      StopParameters stop; // by which state.rest was found
+      std::string    state; // State::write_record()
+      StopParameters stop;  // by which state.rest was found
       /// FieldFiles::Entries
       std::vector<std::vector<PvdEntry>> fields;
 
@@ -137,7 +138,8 @@ namespace Waker
         std::istringstream              stream(checkpoint.blob);
         boost::archive::binary_iarchive archive(stream);
         archive                        &progress;
-        state.read(progress.state);
+        state.read_record(progress.state);
+        read_arrays(checkpoint.arrays(), state.points);
       }
     catch (const std::exception &)
       {
@@ -177,11 +179,13 @@ namespace Waker
 
   template <int dim>
   Wanted
-  Recorder<dim>::wants(const double time, const bool stops) const
+  Recorder<dim>::wants(const double time,
+                       const bool   stops,
+                       const bool   last) const
   {
     Wanted wanted =
       stops || is_due(time, next_fields) ? fields.wanted() : Wanted();
-    wanted.all = is_due(time, next_checkpoint);
+    wanted.checkpoint = last || is_due(time, next_checkpoint);
     return wanted;
   }
 
@@ -216,17 +220,15 @@ namespace Waker
 
   template <int dim>
   void
-  Recorder<dim>::checkpoint(const State<dim> &state, const bool now)
+  Recorder<dim>::checkpoint(const State<dim> &state, const OwnPoints<dim> &own)
   {
-    if (!now && !is_due(state.time, next_checkpoint))
-      return;
     // An extra checkpoint must not shift the later ones.
     if (is_due(state.time, next_checkpoint))
       next_checkpoint =
         next_multiple(state.time, parameters->output.checkpoint_interval);
     statistics->flush();
-    {
-      const Progress     progress{state.write(),
+    const auto blob = [&](const std::vector<std::uint64_t> &array_sizes) {
+      const Progress     progress{state.write_record(array_sizes),
                               parameters->stop,
                               fields.entries()};
       std::ostringstream bytes;
@@ -234,8 +236,9 @@ namespace Waker
         boost::archive::binary_oarchive archive(bytes);
         archive                        &progress;
       }
-      slots.write(state.step, bytes.str());
-    }
+      return bytes.str();
+    };
+    slots.write(state.step, blob, own.points, own.rows);
     give_back_memory();
   }
 

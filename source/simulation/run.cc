@@ -13,6 +13,7 @@
 #include <waker/output/folder_lock.h>
 #include <waker/output/output_files.h>
 #include <waker/output/output_folder.h>
+#include <waker/output/point_arrays.h>
 #include <waker/simulation/describe.h>
 #include <waker/simulation/plausibility.h>
 #include <waker/simulation/recorder.h>
@@ -31,25 +32,6 @@ namespace Waker
 {
   namespace
   {
-    /// Do the points hold numbers?
-    template <int dim>
-    bool
-    is_finite(const MaterialPoints<dim> &points)
-    {
-      const auto finite = [](const auto &values) {
-        return std::all_of(values.begin(), values.end(), [](const auto &value) {
-          return std::isfinite(value.norm());
-        });
-      };
-      return std::all_of(points.position.begin(),
-                         points.position.end(),
-                         [](const Point<dim> &x) {
-                           return std::isfinite(x.square());
-                         }) &&
-             finite(points.velocity) && finite(points.stress);
-    }
-
-
     /// What was warned of may be why a run has failed numerically.
     void
     repeat_warnings(const RunStatus status, Log &log)
@@ -74,8 +56,7 @@ namespace Waker
       const auto          start      = std::chrono::steady_clock::now();
       const std::uint64_t first_step = state.step;
       Realisation<dim>    realisation(the_case, state);
-      the_case.forget_initial_points();
-      RunWatcher<dim> watcher(
+      RunWatcher<dim>     watcher(
         the_case.parameters, resumed, state, realisation, recorder, log);
 
       Outcome     outcome = Outcome::numerical_failure;
@@ -101,9 +82,8 @@ namespace Waker
           status = RunStatus::numerical_failure;
           // The last good state, as a rule. A step that has left no numbers
           // must not replace what is on disk.
-          realisation.complete();
-          if (is_finite(state.points))
-            recorder.checkpoint(state, true);
+          if (realisation.has_numbers())
+            watcher.write_checkpoint();
         }
       log.end_progress();
 
@@ -115,7 +95,7 @@ namespace Waker
                    " s; go on with --resume.");
           return status;
         }
-      warn_at_end(the_case, state, realisation.view().scene, outcome, log);
+      warn_at_end(realisation.view(), outcome, log);
       recorder.write_summary(state,
                              the_case.programmes.names(),
                              outcome,
@@ -173,11 +153,24 @@ namespace Waker
     {
       if (Utilities::MPI::n_mpi_processes(communicator) == 1)
         return;
-      const bool is_first = Utilities::MPI::this_mpi_process(communicator) == 0;
-      const std::string bytes =
-        shared(is_first ? state.write() : std::string(), communicator);
+      const bool        is_first = is_first_rank(communicator);
+      const std::string record =
+        shared(is_first ? state.write_record(array_sizes(
+                            state.points, OwnRows(state.points.n_points())))
+                        : std::string(),
+               communicator);
       if (!is_first)
-        state.read(bytes);
+        state.read_record(record);
+      // Array after array, of values, whose number MPI can count.
+      MaterialPoints<dim>::for_each_array(
+        state.points, [&](const char *, auto &array) {
+          const MpiBytes value(sizeof(array[0]));
+          MPI_Bcast(array.data(),
+                    static_cast<int>(array.size()),
+                    value.type,
+                    0,
+                    communicator);
+        });
     }
 
 
@@ -190,6 +183,7 @@ namespace Waker
                   const Realisation<dim> &realisation)
         : realisation(realisation)
         , fields(output)
+        , slots("", "") // those of the first rank
       {}
 
       void
@@ -198,9 +192,17 @@ namespace Waker
         fields.write(realisation.view(), realisation.own());
       }
 
+      void
+      write_checkpoint() override
+      {
+        const OwnPoints<dim> own = realisation.own();
+        slots.write(0, {}, own.points, own.rows);
+      }
+
     private:
       const Realisation<dim> &realisation;
       FieldFiles<dim>         fields;
+      CheckpointSlots         slots;
     };
 
 
@@ -216,18 +218,23 @@ namespace Waker
       try
         {
           Case<dim>  the_case(parameters, communicator);
-          State<dim> state = initial_state(the_case);
+          State<dim> state;
           if (setup)
-            setup(the_case, state);
+            {
+              state = initial_state(the_case);
+              setup(the_case, state);
+            }
           if (options.validate_only)
             return RunStatus::completed;
           // From now on a signal is seen by all ranks together.
           if (options.before_writing)
             options.before_writing();
+          if (!setup && !options.resume)
+            state = initial_state(std::move(the_case));
+          the_case.forget_initial_points();
           if (options.resume)
             share_state(communicator, state);
           Realisation<dim> realisation(the_case, state);
-          the_case.forget_initial_points();
           FileWatcher<dim> watcher(the_case.parameters.output, realisation);
           try
             {
@@ -238,7 +245,8 @@ namespace Waker
             }
           catch (const NumericalFailure &)
             {
-              realisation.complete(); // for the first rank's checkpoint
+              if (realisation.has_numbers())
+                watcher.write_checkpoint();
               throw;
             }
         }
@@ -314,10 +322,13 @@ namespace Waker
           return RunStatus::numerical_failure;
         }
       Case<dim>               &the_case = *pointer;
-      State<dim>               state    = initial_state(the_case);
+      State<dim>               state;
       std::vector<std::string> setup_lines;
       if (setup)
-        setup_lines = setup(the_case, state);
+        {
+          state       = initial_state(the_case);
+          setup_lines = setup(the_case, state);
+        }
       const auto describe = [&]() {
         describe_case(the_case, log);
         for (const std::string &line : setup_lines)
@@ -352,6 +363,9 @@ namespace Waker
           log.line("Resumed at t = " + std::to_string(state.time) +
                    " s, step " + std::to_string(state.step) + ".");
         }
+      if (!setup && !options.resume)
+        state = initial_state(std::move(the_case));
+      the_case.forget_initial_points();
       return loop(the_case, options, options.resume, state, *recorder, log);
     }
   } // namespace

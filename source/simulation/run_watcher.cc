@@ -167,7 +167,7 @@ namespace Waker
 
   template <int dim>
   void
-  RunWatcher<dim>::looked(const StopReason /*stop*/, const bool last)
+  RunWatcher<dim>::looked(const StopReason /*stop*/, const bool /*last*/)
   {
     report_events(failure, state.failure, log);
     report_tractions(parameters.tractions, tractions, state.tractions, log);
@@ -179,19 +179,16 @@ namespace Waker
     tractions        = state.tractions;
     loads            = state.loads;
     if (is_new)
-      {
-        recorder.record(realisation.view());
-        recorder.checkpoint(state, last);
-      }
+      recorder.record(realisation.view());
     is_new = true;
   }
 
 
   template <int dim>
   Wanted
-  RunWatcher<dim>::wants(const StopReason stop, const bool /*last*/)
+  RunWatcher<dim>::wants(const StopReason stop, const bool last)
   {
-    return is_new ? recorder.wants(state.time, stop != StopReason::none)
+    return is_new ? recorder.wants(state.time, stop != StopReason::none, last)
                   : Wanted();
   }
 
@@ -201,6 +198,14 @@ namespace Waker
   RunWatcher<dim>::write_files()
   {
     recorder.write_files(realisation.view(), realisation.own());
+  }
+
+
+  template <int dim>
+  void
+  RunWatcher<dim>::write_checkpoint()
+  {
+    recorder.checkpoint(state, realisation.own());
   }
 
 

@@ -34,6 +34,9 @@ namespace Waker
     write_files() override;
 
     void
+    write_checkpoint() override;
+
+    void
     advanced() override;
 
   private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <waker/grid/partition.h>
 #include <waker/particles/point_exchange.h>
+#include <waker/particles/removal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -217,6 +218,50 @@ namespace Waker
     {
       points_fly_through_all_ranks<2>();
       points_fly_through_all_ranks<3>();
+    }
+
+
+    /// The copy of the whole body goes, and comes again as far as it is asked
+    /// for; points may have left in between.
+    TEST(Ranks, CopyOfTheWholeIsThereWhenItIsAskedFor)
+    {
+      const BackgroundGrid<3> grid = make_grid<3>();
+      Partition<3>            partition(grid, MPI_COMM_WORLD);
+      MaterialPoints<3>       whole = row_of_points<3>(50);
+      for (double &mass : whole.mass)
+        mass = 4.;
+      PointExchange<3> exchange(partition, MPI_COMM_WORLD, whole);
+      PointExchange<3>::forget(whole);
+      EXPECT_EQ(whole.n_points(), 50u);
+      EXPECT_EQ(whole.id[49], 149u);
+      EXPECT_EQ(whole.position.capacity(), 0u);
+      EXPECT_EQ(whole.scalar("number").capacity(), 0u);
+
+      std::vector<std::size_t> leaving; // every second one
+      for (std::size_t p = 0; p < exchange.own().n_points(); ++p)
+        if (exchange.own().id[p] % 2 == 0)
+          leaving.push_back(p);
+      remove_points(exchange.remove(leaving), whole);
+      ASSERT_EQ(whole.n_points(), 25u);
+
+      exchange.gather_places(whole, {"mass", "load"});
+      EXPECT_TRUE(whole.stress.empty());
+      EXPECT_TRUE(whole.load.empty()); // which no point has
+      EXPECT_TRUE(whole.scalar("number").empty());
+      ASSERT_EQ(whole.mass, std::vector<double>(25, 4.));
+      // What is constant is not told again.
+      whole.mass[0] = 5.;
+      exchange.gather_places(whole, {"mass"});
+      EXPECT_EQ(whole.mass[0], 5.);
+      exchange.gather(whole);
+      EXPECT_EQ(whole.mass[0], 4.);
+      for (unsigned int k = 0; k < 25; ++k)
+        {
+          const unsigned int p = 2 * k + 1;
+          EXPECT_EQ(whole.id[k], 100u + p);
+          EXPECT_EQ(whole.volume[k], 1. + p);
+          EXPECT_EQ(whole.scalar("number")[k], 3. * p);
+        }
     }
 
 

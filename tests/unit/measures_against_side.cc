@@ -34,7 +34,8 @@ namespace measures_against_side
       bool
       lies() const
       {
-        return soil_lies_against_side(grid, points, Openings<2>(grid));
+        return lies_against_side(
+          grid, soil_at_sides(grid, points, Openings<2>(grid)));
       }
 
       /// With an opening in a side, from a height (m) on.
@@ -46,7 +47,7 @@ namespace measures_against_side
         outlet.from = {0., from};
         Openings<2> openings(grid);
         openings.add(place_opening(grid, outlet, ""));
-        return soil_lies_against_side(grid, points, openings);
+        return lies_against_side(grid, soil_at_sides(grid, points, openings));
       }
 
       BackgroundGrid<2> grid;

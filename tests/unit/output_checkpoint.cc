@@ -177,33 +177,52 @@ namespace Waker::output_checkpoint
   }
 
 
-  /// Written by the program of the first schema version: it must stay readable.
-  /// If the schema changes, add a file of the old version, never replace one.
-  TEST(Output, checkpoint_of_schema_version_1_can_be_read)
+  /// Of each schema version there is a file, which must stay readable: that of
+  /// the first one written by the program, that of the second made of it
+  /// (Python: size, struct and zlib.crc32).
+  std::string
+  data_of_version(const unsigned int version)
+  {
+    return get((std::filesystem::path(__FILE__).parent_path().parent_path() /
+                "data" / ("checkpoint-v" + std::to_string(version) + ".bin"))
+                 .string());
+  }
+
+
+  void
+  expect_old_schema(const unsigned int version, const std::string &arrays)
   {
     const TemporaryFolder folder;
-    const std::string     data =
-      (std::filesystem::path(__FILE__).parent_path().parent_path() / "data" /
-       "checkpoint-v1.bin")
-        .string();
-    ASSERT_TRUE(std::filesystem::exists(data)) << data;
-    CheckpointSlots slots(folder.path, hash);
-    put(slots.slot_path(0), get(data));
+    CheckpointSlots       slots(folder.path, hash);
+    put(slots.slot_path(0), data_of_version(version));
     std::string      warning;
     const Checkpoint read = slots.read_latest(warning);
     EXPECT_EQ(read.step, 4321u);
     EXPECT_EQ(read.blob, make_blob(64));
+    EXPECT_EQ(read.arrays(), arrays);
+  }
 
-    // The same file from a newer program: whole, but not for us.
-    std::string newer = get(data);
-    ASSERT_EQ(newer[8], 1);
-    newer[8] = 2;
-    // CRC-32 of the file with schema version 2, worked out independently
+
+  TEST(Output, checkpoint_of_older_schema_versions_can_be_read)
+  {
+    expect_old_schema(1, "");
+    expect_old_schema(2, "values of points");
+  }
+
+
+  TEST(Output, checkpoint_of_a_newer_schema_version_is_told)
+  {
+    // Whole, but not for us.
+    std::string newer = data_of_version(1);
+    ASSERT_EQ(newer.at(8), 1);
+    newer[8] = 3;
+    // CRC-32 of the file with schema version 3, worked out independently
     // (Python: zlib.crc32(f[8:12] + f[16:])).
-    const unsigned char crc[4] = {0xda, 0x67, 0x94, 0xa5};
+    const unsigned char crc[4] = {0xea, 0xf6, 0xa8, 0xcb};
     for (unsigned int i = 0; i < 4; ++i)
       newer[12 + i] = static_cast<char>(crc[i]);
-    put(slots.slot_path(0), newer);
+    const TemporaryFolder folder;
+    put(CheckpointSlots(folder.path, hash).slot_path(0), newer);
     EXPECT_NE(problem_on_reading(folder.path, hash).find("newer version"),
               std::string::npos);
   }

@@ -2,7 +2,9 @@
 #include <waker/base/file_error.h>
 #include <waker/base/hash.h>
 #include <waker/base/ranks.h>
+#include <waker/output/checkpoint.h>
 #include <waker/output/particle_writer.h>
+#include <waker/output/point_arrays.h>
 #include <waker/output/top_view_writer.h>
 
 #include "output_temporary_folder.h"
@@ -221,6 +223,64 @@ namespace Waker::output_of_ranks
   {
     file_does_not_depend_on_ranks<2>({Deal::mixed});
     file_does_not_depend_on_ranks<3>({Deal::mixed, Deal::in_order, Deal::one});
+  }
+
+
+  namespace
+  {
+    template <int dim>
+    void
+    checkpoint_does_not_depend_on_ranks()
+    {
+      const std::uint32_t        n_all = 1234;
+      std::vector<std::uint32_t> all(n_all);
+      std::iota(all.begin(), all.end(), 0);
+      const auto blob = [](const std::vector<std::uint64_t> &sizes) {
+        return "the rest, of " + std::to_string(sizes.at(0)) + " points";
+      };
+      const TemporaryFolder mine;
+      CheckpointSlots       my_slots(mine.path, "hash");
+      const auto            whole = make_points<dim>(all);
+      my_slots.write(7, blob, whole, OwnRows(n_all));
+      const std::string expected = get(my_slots.slot_path(0));
+
+      std::string      warning;
+      const Checkpoint read = my_slots.read_latest(warning);
+      EXPECT_EQ(read.step, 7u);
+      EXPECT_EQ(read.blob, "the rest, of 1234 points");
+      MaterialPoints<dim> again = make_points<dim>({});
+      again.resize(n_all);
+      EXPECT_THROW(read_arrays(read.arrays().substr(1), again),
+                   std::runtime_error);
+      read_arrays(read.arrays(), again);
+      EXPECT_EQ(again.id, whole.id);
+      EXPECT_EQ(again.stress, whole.stress);
+      EXPECT_EQ(again.scalars[0].values, whole.scalars[0].values);
+
+      const SharedFolder folder;
+      for (const Deal deal : {Deal::mixed, Deal::in_order, Deal::one})
+        {
+          const std::vector<std::uint32_t> own = own_numbers(n_all, deal);
+          // Folder, step and blob are those of the first rank.
+          const bool      is_first = is_first_rank(MPI_COMM_WORLD);
+          CheckpointSlots slots(is_first ? folder.path : "",
+                                is_first ? "hash" : "");
+          slots.write(is_first ? 7 : 0,
+                      is_first ? blob : CheckpointSlots::BlobOfArrays(),
+                      make_points<dim>(own),
+                      OwnRows(MPI_COMM_WORLD, n_all, own));
+          EXPECT_TRUE(get(folder.file("checkpoints/checkpoint-0.bin")) ==
+                      expected);
+          MPI_Barrier(MPI_COMM_WORLD); // before it is written again
+        }
+    }
+  } // namespace
+
+
+  TEST(Ranks, CheckpointDoesNotDependOnThem)
+  {
+    checkpoint_does_not_depend_on_ranks<2>();
+    checkpoint_does_not_depend_on_ranks<3>();
   }
 
 

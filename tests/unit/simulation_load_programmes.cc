@@ -127,7 +127,7 @@ namespace simulation_load_programmes
       loaded_statically(LoadedPoints::top, LoadMass::weight_alone);
     const LoadProgrammes<2> programmes(column.parameters);
     MaterialPoints<2>      &points = column.state.points;
-    EXPECT_NEAR(programmes.share_lost(0, points), 0., 1e-12);
+    EXPECT_NEAR(programmes.shares_lost(points).at(0), 0., 1e-12);
     // The column is 2 m wide; as if its left half had gone.
     double first = points.position[0][0], last = first;
     for (const Point<2> &x : points.position)
@@ -140,7 +140,7 @@ namespace simulation_load_programmes
     for (std::size_t p = 0; p < points.n_points(); ++p)
       if (points.position[p][0] < 0.5 * (first + last))
         carried[p] = 0.;
-    EXPECT_NEAR(programmes.share_lost(0, points), 0.5, 1e-12);
+    EXPECT_NEAR(programmes.shares_lost(points).at(0), 0.5, 1e-12);
   }
 
 

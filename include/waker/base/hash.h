@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace Waker
@@ -27,7 +28,11 @@ namespace Waker
   };
 
   CheckedPiece
-  check_piece(const std::string &piece);
+  check_piece(const std::string_view piece);
+
+  /// The pieces, one after the other, as one.
+  CheckedPiece
+  joined(const std::vector<CheckedPiece> &pieces);
 
   /// checksum_of_text() of the pieces, one after the other.
   std::string

@@ -9,6 +9,7 @@
 #include <waker/case/parameters.h>
 #include <waker/loads/tractions.h>
 #include <waker/measures/crest.h>
+#include <waker/measures/sliding_masses.h>
 #include <waker/mechanics/balance_step.h>
 #include <waker/mechanics/gravity_step.h>
 #include <waker/mechanics/stress_update.h>
@@ -74,10 +75,14 @@ namespace Waker
     const PoreWater<dim>                pore_water;
     const Ground<dim>                   ground;
     const double full_node_mass; // Mg, of a node inside the body
-    /// At t = 0; empty after forget_initial_points().
+    /// At t = 0; empty after forget_initial_points(), or when a state has taken
+    /// them.
     MaterialPoints<dim> initial_points;
+    bool                has_point_loads = false; // on any of them
     /// Height to which their soil reaches (m).
     double initial_height = nan;
+    /// If they are watched.
+    std::optional<SlidingMassFinder<dim>> slides;
     /// Number of each one's layer; no layer has the number of what flows in.
     std::vector<unsigned int>      layers_of_points;
     typename Walls<dim>::Tractions initial_wall_tractions; // kPa

@@ -45,6 +45,12 @@ namespace Waker
       return !outlets.empty() || !feeders.empty();
     }
 
+    bool
+    has_inflow() const
+    {
+      return !feeders.empty();
+    }
+
     /// The parts of the box's faces through which material leaves or enters.
     const Openings<dim> &
     openings() const

@@ -87,11 +87,11 @@ namespace Waker
     std::string
     changing_after(const double time) const;
 
-    /// Share (-) of a programme's load whose points have left the grid: its
-    /// factor goes on counting all of it. 0 for what no points carry.
-    double
-    share_lost(const std::size_t          programme,
-               const MaterialPoints<dim> &points) const;
+    /// Of each programme's load the share (-) whose points have left the grid:
+    /// its factor goes on counting all of it. 0 for what no points carry.
+    /// Collective.
+    std::vector<double>
+    shares_lost(const Body<dim> &body) const;
 
   private:
     void

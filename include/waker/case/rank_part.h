@@ -23,8 +23,8 @@ namespace Waker
    * there, each for its own. What lies around its points it is told of
    * others (NearCells); of the surface each rank is told all facets. Who must
    * see the places of all points, for files or to measure a body that has
-   * moved, looks at the whole body, which every rank has a copy of
-   * (State::points): know_places().
+   * moved, looks at the whole body, of which every rank then gets a copy
+   * (State::points): know_places(). Until then that has no more than the ids.
    *
    * All functions but the const ones are collective.
    */
@@ -32,8 +32,8 @@ namespace Waker
   class RankPart
   {
   public:
-    /// @param whole the points of the whole body, which the rank has a copy of;
-    ///        kept by reference
+    /// @param whole the points of the whole body, which the rank has a copy of,
+    ///        and gives back; kept by reference
     RankPart(const Case<dim> &the_case, MaterialPoints<dim> &whole);
 
     MaterialPoints<dim> &
@@ -148,6 +148,9 @@ namespace Waker
     void
     make_window();
 
+    void
+    forget_copy();
+
     /// Values of own nodes, `n_components` each, go from one window to another
     /// and on to those that reach them there.
     void
@@ -158,6 +161,7 @@ namespace Waker
     const Case<dim>                *the_case;
     MaterialPoints<dim>            *whole;
     bool                            places_are_known = true;
+    unsigned int                    steps_left       = 0; // of the copy
     NodeExchange::Traffic           sent_before; // in windows that are gone
     MPI_Comm                        communicator;
     std::unique_ptr<Partition<dim>> partition;

@@ -70,6 +70,15 @@ namespace Waker
 
     void
     read(const std::string &bytes);
+
+    /// All but the values of the points' arrays (point_arrays.h), of which each
+    /// has so many.
+    std::string
+    write_record(const std::vector<std::uint64_t> &array_sizes) const;
+
+    /// The arrays get their sizes.
+    void
+    read_record(const std::string &bytes);
   };
 
 
@@ -80,6 +89,11 @@ namespace Waker
   template <int dim>
   State<dim>
   initial_state(const Case<dim> &the_case);
+
+  /// It takes the points of a case that nobody asks for them again.
+  template <int dim>
+  State<dim>
+  initial_state(Case<dim> &&the_case);
 } // namespace Waker
 
 #endif

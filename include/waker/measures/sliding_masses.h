@@ -154,6 +154,9 @@ namespace Waker
     static const char *
     changed_scalar();
 
+    /// The one that it looks at besides.
+    static const char *
+    volume_scalar();
 
     /// Give the points their scalars, at t = 0.
     static void

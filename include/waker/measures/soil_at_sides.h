@@ -50,18 +50,12 @@ namespace Waker
                 const MaterialPoints<dim> &points,
                 const Openings<dim>       &openings);
 
-  /**
-   * Has so much soil come to the left or right side that the box holds it? That
-   * is half a cell's volume of it: one row of points of the usual two.
-   *
-   * @param openings of the box: what passes is removed or fed, and lies against
-   *        nothing
-   */
+  /// Has so much soil come to the left or right side that the box holds it?
+  /// That is half a cell's volume of it: one row of points of the usual two.
   template <int dim>
   bool
-  soil_lies_against_side(const BackgroundGrid<dim> &grid,
-                         const MaterialPoints<dim> &points,
-                         const Openings<dim>       &openings);
+  lies_against_side(const BackgroundGrid<dim> &grid,
+                    const SoilAtSides<dim>    &soil);
 } // namespace Waker
 
 #endif

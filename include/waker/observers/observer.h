@@ -21,6 +21,10 @@ namespace Waker
     double         mass = 0.;       // Mg
     Tensor<1, dim> momentum;        // kN s
     double         settlement = 0.; // largest, m, if load programmes watch it
+
+    /// Of each load programme: the share of it that has left the grid with the
+    /// soil that carried it.
+    std::vector<double> lost_loads;
   };
 
 

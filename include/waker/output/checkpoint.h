@@ -2,22 +2,39 @@
 #ifndef waker_output_checkpoint_h
 #define waker_output_checkpoint_h
 
-#include <array>
+#include <waker/base/own_rows.h>
+#include <waker/particles/material_points.h>
+
 #include <cstdint>
+#include <functional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace Waker
 {
+  class JointFile;
+
   /// What a slot holds.
   struct Checkpoint
   {
     /// Of the format of the file, not of the blob in it.
-    static constexpr std::uint32_t schema_version = 1;
+    static constexpr std::uint32_t schema_version = 2;
 
     std::uint64_t step = 0;  // number of steps done
     std::string   case_hash; // Parameters::hash of the run
     std::string   program;   // version and build of the program that wrote it
     std::string   blob;      // the serialised state
+
+    /// The values of points, if they are not in the blob (point_arrays.h).
+    std::string_view
+    arrays() const
+    {
+      return std::string_view(file).substr(arrays_at);
+    }
+
+    std::string file; // all of it
+    std::size_t arrays_at = 0;
   };
 
   /**
@@ -29,13 +46,17 @@ namespace Waker
    * Format, little endian: magic "WAKERCP\n", schema version (u32), CRC-32 of
    * all that follows and of the schema version (u32), size of the rest (u64);
    * then step (u64) and case hash, program and blob, each as length (u64) and
-   * bytes. Magic, schema version, CRC and size stay where they are in later
-   * versions of the schema.
+   * bytes; then the values of points, if the blob does not have them (from
+   * version 2 on). Magic, schema version, CRC and size stay where they are in
+   * later versions of the schema.
    */
   class CheckpointSlots
   {
   public:
     static constexpr unsigned int n_slots = 2;
+
+    using BlobOfArrays =
+      std::function<std::string(const std::vector<std::uint64_t> &)>;
 
     /**
      * @param directory the output folder; "checkpoints/" is made in it when
@@ -51,6 +72,21 @@ namespace Waker
     /// @throws as throw_cannot_write() if it cannot be written
     void
     write(const std::uint64_t step, const std::string &blob);
+
+    /**
+     * With the values of points that ranks share, of which none has those of
+     * the others. Collective; step, blob, and what the slots were made with,
+     * are the first rank's.
+     *
+     * @param blob makes it, of array_sizes() of the points; the first rank asks
+     * @throws as above, on all ranks alike
+     */
+    template <int dim>
+    void
+    write(const std::uint64_t        step,
+          const BlobOfArrays        &blob,
+          const MaterialPoints<dim> &own,
+          const OwnRows             &rows);
 
     /**
      * The newest whole checkpoint.
@@ -69,6 +105,14 @@ namespace Waker
     slot_path(const unsigned int slot) const;
 
   private:
+    /// The file up to the values of points.
+    /// @param n_more bytes of these
+    void
+    add_beginning(const std::uint64_t step,
+                  const std::string  &blob,
+                  const std::uint64_t n_more,
+                  JointFile          &file) const;
+
     std::string  directory;
     std::string  case_hash;
     std::string  parameters;

@@ -15,8 +15,9 @@ namespace Waker
   /**
    * The points of a body, dealt out to the ranks of a realisation: each rank
    * has those in its own cells, with all of their arrays, and knows their
-   * places among the points of the whole body, of which every rank has a copy.
-   * That copy is right where it has last been gathered.
+   * places among the points of the whole body. Of that every rank may have a
+   * copy, as long as somebody looks at it: it is right where it has last been
+   * gathered.
    *
    * All functions but the const ones are collective.
    */
@@ -24,6 +25,8 @@ namespace Waker
   class PointExchange
   {
   public:
+    using Names = std::vector<std::string>; // of arrays
+
     /// Take from the whole body, which each rank has, what lies in the own
     /// cells.
     PointExchange(const Partition<dim>      &partition,
@@ -52,10 +55,16 @@ namespace Waker
     std::size_t
     send_home(const Partition<dim> &partition);
 
+    /// Give back the copy, but for the ids.
+    static void
+    forget(MaterialPoints<dim> &whole);
+
     /// What steps change of the places of points: position, velocity, domain,
     /// volume.
+    /// @param constant what they do not change, which is gathered if it is not
+    ///        there
     void
-    gather_places(MaterialPoints<dim> &whole) const;
+    gather_places(MaterialPoints<dim> &whole, const Names &constant) const;
 
     /// All of their arrays.
     void
@@ -91,13 +100,16 @@ namespace Waker
     imbalance() const;
 
   private:
-    /// The arrays that are named.
+    /// The arrays that are named, those that are constant if they are missing;
+    /// all if none is named.
     void
-    gather(MaterialPoints<dim>            &whole,
-           const std::vector<std::string> &names) const;
+    gather(MaterialPoints<dim> &whole,
+           const Names         &changing,
+           const Names         &constant) const;
 
     MPI_Comm                      communicator;
     std::size_t                   n_whole;
+    std::vector<bool>             used; // which arrays points have
     MaterialPoints<dim>           points;
     std::vector<std::uint32_t>    places; // of the own points in the whole body
     mutable NodeExchange::Traffic sent;

@@ -23,10 +23,11 @@ namespace Waker
   /// measured.
   struct Wanted
   {
-    bool files  = false; // to write files of it together with the others
-    bool places = false; // of all points
-    bool nodes  = false; // of the whole grid
-    bool all    = false; // state and nodes as they would be on one rank
+    bool files      = false; // to write files of it together with the others
+    bool places     = false; // of all points
+    bool nodes      = false; // of the whole grid
+    bool all        = false; // state and nodes as they would be on one rank
+    bool checkpoint = false; // to write one together with the others
   };
 
 
@@ -81,7 +82,11 @@ namespace Waker
     /// on until the next step this is as it should be. Collective.
     /// @param wanted the same on all ranks
     void
-    complete(const Wanted &wanted = {true, true, true, true});
+    complete(const Wanted &wanted = {true, true, true, true, true});
+
+    /// Do all points hold numbers? Collective.
+    bool
+    has_numbers() const;
 
     /// Those that this rank computes.
     OwnPoints<dim>
@@ -157,12 +162,12 @@ namespace Waker
     Carried<dim>                   carried;
     Settlements<dim>               settlements;
     /// If sliding masses are watched.
-    std::optional<SlidingMassFinder<dim>> slides;
     StepControl<dim>                      control;
     std::unique_ptr<TimeScheme<dim>>      scheme_in_motion;
     std::unique_ptr<TimeScheme<dim>>      scheme_at_rest; // or none
     StepReport<dim>                       report;         // of the last step
     BodyTotals<dim>                       totals;
+    bool                                  lies_at_box = false; // soil
   };
 } // namespace Waker
 

@@ -43,8 +43,9 @@ namespace Waker
     /// What ParaView files and a checkpoint at this time (s) need, if it is
     /// time for them.
     /// @param stops the run ends with this moment: files are always written
+    /// @param last so is a checkpoint, also where it is interrupted
     Wanted
-    wants(const double time, const bool stops) const;
+    wants(const double time, const bool stops, const bool last) const;
 
     /// ParaView files. Collective: see FieldFiles.
     void
@@ -54,9 +55,10 @@ namespace Waker
     void
     record(const StepView<dim> &view);
 
-    /// A checkpoint if it is time, or if `now`. Comes after record().
+    /// A checkpoint. Comes after record(). Collective: on other ranks
+    /// CheckpointSlots::write().
     void
-    checkpoint(const State<dim> &state, const bool now);
+    checkpoint(const State<dim> &state, const OwnPoints<dim> &own);
 
     void
     write_summary(const State<dim>               &state,

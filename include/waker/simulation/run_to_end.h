@@ -20,8 +20,8 @@ namespace Waker
     looked(const StopReason /*stop*/, const bool /*last*/)
     {}
 
-    /// What write_files() and looked(), with the same words, will ask for of
-    /// the moment. The last one has all.
+    /// What write_files(), looked() with the same words, and write_checkpoint()
+    /// will ask for of the moment.
     virtual Wanted
     wants(const StopReason /*stop*/, const bool /*last*/)
     {
@@ -32,6 +32,12 @@ namespace Waker
     /// at: on all ranks if one of them wants it.
     virtual void
     write_files()
+    {}
+
+    /// The checkpoint of the moment, which ranks write together, after it has
+    /// been looked at: on all ranks if one of them wants it.
+    virtual void
+    write_checkpoint()
     {}
 
     /// It has made a step, at the end of which it has not looked yet.
@@ -60,12 +66,14 @@ namespace Waker
         const StopReason stop = realisation.look();
         const bool       last =
           stop != StopReason::none || realisation.any(interrupt.has_come());
-        Wanted wanted = realisation.wanted_by_any(watcher.wants(stop, last));
-        wanted.all    = wanted.all || last;
+        const Wanted wanted =
+          realisation.wanted_by_any(watcher.wants(stop, last));
         realisation.complete(wanted);
         if (wanted.files)
           watcher.write_files();
         watcher.looked(stop, last);
+        if (wanted.checkpoint)
+          watcher.write_checkpoint();
         if (last)
           return stop;
         realisation.advance();
