@@ -162,12 +162,12 @@ namespace Waker
     Carried<dim>                   carried;
     Settlements<dim>               settlements;
     /// If sliding masses are watched.
-    StepControl<dim>                      control;
-    std::unique_ptr<TimeScheme<dim>>      scheme_in_motion;
-    std::unique_ptr<TimeScheme<dim>>      scheme_at_rest; // or none
-    StepReport<dim>                       report;         // of the last step
-    BodyTotals<dim>                       totals;
-    bool                                  lies_at_box = false; // soil
+    StepControl<dim>                 control;
+    std::unique_ptr<TimeScheme<dim>> scheme_in_motion;
+    std::unique_ptr<TimeScheme<dim>> scheme_at_rest; // or none
+    StepReport<dim>                  report;         // of the last step
+    BodyTotals<dim>                  totals;
+    bool                             lies_at_box = false; // soil
   };
 } // namespace Waker
 
