@@ -13,7 +13,6 @@
 #include <waker/output/folder_lock.h>
 #include <waker/output/output_files.h>
 #include <waker/output/output_folder.h>
-#include <waker/output/point_arrays.h>
 #include <waker/simulation/describe.h>
 #include <waker/simulation/plausibility.h>
 #include <waker/simulation/recorder.h>
@@ -21,6 +20,7 @@
 #include <waker/simulation/run_to_end.h>
 
 #include "end_warnings.h"
+#include "follow.h"
 #include "run_watcher.h"
 #include <algorithm>
 #include <chrono>
@@ -143,117 +143,6 @@ namespace Waker
                                     error))
           return true;
       return false;
-    }
-
-
-    /// The state that the first rank has read.
-    template <int dim>
-    void
-    share_state(const MPI_Comm communicator, State<dim> &state)
-    {
-      if (Utilities::MPI::n_mpi_processes(communicator) == 1)
-        return;
-      const bool        is_first = is_first_rank(communicator);
-      const std::string record =
-        shared(is_first ? state.write_record(array_sizes(
-                            state.points, OwnRows(state.points.n_points())))
-                        : std::string(),
-               communicator);
-      if (!is_first)
-        state.read_record(record);
-      // Array after array, of values, whose number MPI can count.
-      MaterialPoints<dim>::for_each_array(
-        state.points, [&](const char *, auto &array) {
-          const MpiBytes value(sizeof(array[0]));
-          MPI_Bcast(array.data(),
-                    static_cast<int>(array.size()),
-                    value.type,
-                    0,
-                    communicator);
-        });
-    }
-
-
-    /// On a rank after the first: it writes what all write together.
-    template <int dim>
-    class FileWatcher : public Watcher
-    {
-    public:
-      FileWatcher(const OutputParameters &output,
-                  const Realisation<dim> &realisation)
-        : realisation(realisation)
-        , fields(output)
-        , slots("", "") // those of the first rank
-      {}
-
-      void
-      write_files() override
-      {
-        fields.write(realisation.view(), realisation.own());
-      }
-
-      void
-      write_checkpoint() override
-      {
-        const OwnPoints<dim> own = realisation.own();
-        slots.write(0, {}, own.points, own.rows);
-      }
-
-    private:
-      const Realisation<dim> &realisation;
-      FieldFiles<dim>         fields;
-      CheckpointSlots         slots;
-    };
-
-
-    /// What the ranks after the first do, which alone has the folder and
-    /// speaks to the user.
-    template <int dim>
-    RunStatus
-    follow(const Parameters        &parameters,
-           const RunOptions        &options,
-           const MPI_Comm           communicator,
-           const InitialSetup<dim> &setup)
-    {
-      try
-        {
-          Case<dim>  the_case(parameters, communicator);
-          State<dim> state;
-          if (setup)
-            {
-              state = initial_state(the_case);
-              setup(the_case, state);
-            }
-          if (options.validate_only)
-            return RunStatus::completed;
-          // From now on a signal is seen by all ranks together.
-          if (options.before_writing)
-            options.before_writing();
-          if (!setup && !options.resume)
-            state = initial_state(std::move(the_case));
-          the_case.forget_initial_points();
-          if (options.resume)
-            share_state(communicator, state);
-          Realisation<dim> realisation(the_case, state);
-          FileWatcher<dim> watcher(the_case.parameters.output, realisation);
-          try
-            {
-              return run_to_end(realisation, watcher, options.interrupt) ==
-                         StopReason::none
-                       ? RunStatus::interrupted
-                       : RunStatus::completed;
-            }
-          catch (const NumericalFailure &)
-            {
-              if (realisation.has_numbers())
-                watcher.write_checkpoint();
-              throw;
-            }
-        }
-      catch (const NumericalFailure &)
-        {
-          return RunStatus::numerical_failure;
-        }
     }
 
 

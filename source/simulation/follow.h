@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef waker_source_simulation_follow_h
+#define waker_source_simulation_follow_h
+
+#include <waker/simulation/run.h>
+
+namespace Waker
+{
+  /// The state that the first rank has read. Collective.
+  template <int dim>
+  void
+  share_state(const MPI_Comm communicator, State<dim> &state);
+
+  /// What the ranks after the first do in a run: the first alone has the
+  /// folder, and speaks to the user.
+  template <int dim>
+  RunStatus
+  follow(const Parameters        &parameters,
+         const RunOptions        &options,
+         const MPI_Comm           communicator,
+         const InitialSetup<dim> &setup);
+} // namespace Waker
+
+#endif
