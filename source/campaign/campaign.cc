@@ -184,8 +184,9 @@ namespace Waker
       make_runners<dim>(scenarios, groups.group(), log);
     log.end_progress();
     std::unique_ptr<CampaignWriter> campaign_writer;
-    check_memory_of_ranks(run_sizes(runners[0]->first_case()).memory,
-                          communicator);
+    const RunSizes                  sizes = run_sizes(runners[0]->first_case());
+    // The case keeps the points that each realisation begins with.
+    check_memory_of_ranks(sizes.memory + sizes.all_points, communicator);
     if (options.before_writing && !options.validate_only)
       options.before_writing();
     if (rank == 0 && !options.validate_only)

@@ -209,9 +209,7 @@ namespace Waker
   {
     if (!places_are_known)
       exchange.gather_places(*whole,
-                             {"material",
-                              "mass",
-                              "initial_position",
+                             {"initial_position",
                               "initial half size",
                               SlidingMassFinder<dim>::changed_scalar(),
                               SlidingMassFinder<dim>::volume_scalar()});

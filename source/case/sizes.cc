@@ -95,12 +95,15 @@ namespace Waker
         : 0.;
     const double per_point = of_arrays + 8. * 6 * dim + of_tangent;
     const double per_node  = 8. * (2 + 20 * dim);
-    const double at_start  = of_arrays * n_points * (n_ranks > 1 ? 1. : 0.);
+    sizes.all_points       = of_arrays * n_points;
+    const double at_start  = n_ranks > 1 ? sizes.all_points : 0.;
+    // What flows in comes to a copy of the whole body first.
+    const double kept = parameters.inflows.empty() ? 0. : at_start;
     sizes.memory =
-      std::max(at_start + of_arrays * n_points / n_ranks,
-               (per_point * n_points +
-                solver_memory<dim>(parameters, n_points, n_nodes)) /
-                 n_ranks) +
+      std::max(at_start + sizes.all_points / n_ranks,
+               kept + (per_point * n_points +
+                       solver_memory<dim>(parameters, n_points, n_nodes)) /
+                        n_ranks) +
       per_node * n_nodes * (n_ranks > 1 ? 1. + 1. / n_ranks : 1.);
 
     sizes.snapshots =

@@ -56,11 +56,16 @@ namespace Waker
     {
       if (n_bytes == 0)
         return 0;
+      // Not posix_fallocate(): where the file system cannot, that writes zeros,
+      // which may come to a network's disk after what other ranks have written.
       int error;
       do
-        error = ::posix_fallocate(descriptor,
-                                  static_cast<off_t>(begin),
-                                  static_cast<off_t>(n_bytes));
+        error = ::fallocate(descriptor,
+                            0,
+                            static_cast<off_t>(begin),
+                            static_cast<off_t>(n_bytes)) == 0
+                  ? 0
+                  : errno;
       while (error == EINTR);
       for (const int fault : {ENOSPC, EDQUOT, EFBIG, EIO})
         if (error == fault)

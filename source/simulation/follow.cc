@@ -4,10 +4,12 @@
 #include <waker/base/errors.h>
 #include <waker/base/ranks.h>
 #include <waker/output/checkpoint.h>
+#include <waker/output/output_files.h>
 #include <waker/output/point_arrays.h>
 #include <waker/simulation/field_files.h>
 #include <waker/simulation/run_to_end.h>
 
+#include <filesystem>
 #include <utility>
 
 namespace Waker
@@ -37,6 +39,28 @@ namespace Waker
                   0,
                   communicator);
       });
+  }
+
+
+  void
+  require_shared_folder(const MPI_Comm     communicator,
+                        const std::string &directory)
+  {
+    if (n_ranks(communicator) == 1)
+      return;
+    const std::string path =
+      shared(file_path(directory, OutputFile::parameters), communicator);
+    std::error_code    error;
+    const unsigned int n_blind =
+      Utilities::MPI::sum(std::filesystem::exists(path, error) ? 0u : 1u,
+                          communicator);
+    if (n_blind > 0)
+      throw UserError("Output/Directory",
+                      "'" + path + "' is not seen by " +
+                        std::to_string(n_blind) + " of the " +
+                        std::to_string(n_ranks(communicator)) +
+                        " ranks, which write files together",
+                      "a folder that all machines see, by the same path");
   }
 
 
@@ -101,6 +125,7 @@ namespace Waker
         the_case.forget_initial_points();
         if (options.resume)
           share_state(communicator, state);
+        require_shared_folder(communicator, "");
         Realisation<dim> realisation(the_case, state);
         FileWatcher<dim> watcher(the_case.parameters.output, realisation);
         try

@@ -11,6 +11,14 @@ namespace Waker
   void
   share_state(const MPI_Comm communicator, State<dim> &state);
 
+  /// All ranks write to the folder: do they see what the first one has put
+  /// there? Collective.
+  /// @param directory the first rank's counts
+  /// @throws UserError "Output/Directory" on all of them if one does not
+  void
+  require_shared_folder(const MPI_Comm     communicator,
+                        const std::string &directory);
+
   /// What the ranks after the first do in a run: the first alone has the
   /// folder, and speaks to the user.
   template <int dim>

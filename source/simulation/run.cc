@@ -240,6 +240,7 @@ namespace Waker
           share_state(communicator, state);
         }
       prepare_output_folder(directory, folder_mode(options), parameters.text);
+      require_shared_folder(communicator, directory);
       if (!options.resume)
         recorder = std::make_unique<Recorder<dim>>(parameters);
 

@@ -112,6 +112,11 @@ cases = {
                     "Boundary conditions/base/Type=roller",
                     "Gravity/Initial stress=false",
                     "Time stepping/Scheme=quasi-static at rest"], 0.01, (3,)),
+    # Asked for the places of all points at its start, then not for 40 steps.
+    "copy that goes": ("chapter5/dyke_weak.prm",
+                       ["Grid/Cell size=0.5", "Time stepping/Ramp duration=0",
+                        "Sliding masses/Watch=true",
+                        "Sliding masses/Displacement=0.05"], 0.01, (3,), 60),
     "slope": ("chapter6/slope.prm", ["Grid/Cell size=0.25"], 0.01, (3, 4)),
 }
 n_steps = 20  # if the case does not say

@@ -143,6 +143,18 @@ namespace simulation_sizes
     EXPECT_NEAR(more.computing, 10. * sizes.computing, 1e-6 * more.computing);
     EXPECT_GE(more.memory, 10. * sizes.memory);
 
+    EXPECT_GT(sizes.all_points, 100. * the_case.initial_points.n_points());
+    // What flows in needs a copy of all points on each of several ranks.
+    const auto on_ranks = [&](const Parameters &parameters) {
+      return run_sizes<3>(parameters, the_case.materials, 1000000, 1000, 4);
+    };
+    Parameters with_inflow = input->simulation;
+    with_inflow.inflows.emplace_back();
+    const RunSizes copies = on_ranks(with_inflow);
+    EXPECT_GT(copies.memory,
+              on_ranks(input->simulation).memory + 0.3 * copies.all_points);
+    EXPECT_GT(copies.memory, 1.5 * copies.all_points);
+
     // In space GMRES keeps 39 vectors of three components at each node.
     const auto in_space = [&](const std::size_t n_nodes) {
       return run_sizes<3>(input->simulation, the_case.materials, 1000, n_nodes)

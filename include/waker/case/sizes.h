@@ -15,6 +15,9 @@ namespace Waker
     double time_step = 0.; // s
     double computing = 0.; // s, of all ranks, if it goes on to the end time
     double memory    = 0.; // bytes, of each rank, largest at one time
+    /// Of these, or more if the case keeps its points for other realisations:
+    /// bytes of the arrays of all points.
+    double all_points = 0.;
     double snapshots = 0.; // moments with ParaView files
     double disk      = 0.; // bytes, of ParaView files and statistics
   };

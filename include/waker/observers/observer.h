@@ -31,7 +31,9 @@ namespace Waker
   /**
    * A moment of a realisation, as observers see it: all of it, and nothing that
    * they could change. The scene is that of the state: its nodes hold the
-   * mapped points and the external force. The nodes' increment and internal
+   * mapped points and the external force. On several ranks the points of the
+   * state are no more than their ids, unless they were asked for (Wanted), and
+   * of the whole body there are the totals. The nodes' increment and internal
    * force belong to the step that ended there, as does `report`.
    */
   template <int dim>

@@ -46,8 +46,8 @@ namespace Waker
       return *own_points;
     }
 
-    /// All of them: position, velocity, half_size, volume, and what never
-    /// changes.
+    /// All of them: position, velocity, half_size, volume; where they began,
+    /// and what sliding masses look at.
     const MaterialPoints<dim> &
     whole() const
     {

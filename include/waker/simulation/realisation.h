@@ -161,7 +161,6 @@ namespace Waker
     Scene<dim>                     scene;
     Carried<dim>                   carried;
     Settlements<dim>               settlements;
-    /// If sliding masses are watched.
     StepControl<dim>                 control;
     std::unique_ptr<TimeScheme<dim>> scheme_in_motion;
     std::unique_ptr<TimeScheme<dim>> scheme_at_rest; // or none

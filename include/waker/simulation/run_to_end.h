@@ -53,7 +53,7 @@ namespace Waker
    *
    * @return why it has stopped; StopReason::none if it was interrupted
    * @throws NumericalFailure; the state is then the last good one, but for a
-   *   step of which the numbers are none: State::points holds them
+   *   step of which the numbers are none: the points hold them
    */
   template <int dim>
   StopReason
