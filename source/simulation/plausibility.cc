@@ -11,6 +11,7 @@
 #include "strange_cam_clay.h"
 #include "strange_pore_water.h"
 #include "strange_strengths.h"
+#include "strange_water.h"
 #include "toe_warnings.h"
 #include "uplift_warnings.h"
 #include "wall_warnings.h"
@@ -41,16 +42,9 @@ namespace Waker
       if (the_case.pore_water.empty() || is_wet || points.n_points() == 0)
         return;
       // Where water stands it may: up to the crest.
-      const Point<dim> &crest =
-        *std::max_element(points.initial_position.begin(),
-                          points.initial_position.end(),
-                          [](const Point<dim> &a, const Point<dim> &b) {
-                            return a[1] < b[1];
-                          });
-      const auto stands_at = [&](const double x) {
-        return p.water.stands() &&
-               (p.water.side == WaterSide::left ? x <= crest[0]
-                                                : x >= crest[0]);
+      const WaterSideOfCrest<dim> water_side(the_case);
+      const auto                  stands_at = [&](const double x) {
+        return p.water.stands() && water_side.holds(x);
       };
       double most = 0., at = 0.;
       for (std::size_t q = 0; q < points.n_points(); ++q)
@@ -199,6 +193,8 @@ namespace Waker
     warn_of_b_bar(the_case, warnings);
     warn_of_soil_in_water(the_case, warnings);
     warn_of_consolidation(the_case, warnings);
+    warn_of_unsupported_water(the_case, warnings);
+    warn_of_level_ground(the_case, warnings);
     warn_of_uplift_to_come(the_case, warnings);
     warn_of_feather_edge(the_case, warnings);
     check_loads(the_case, warnings);

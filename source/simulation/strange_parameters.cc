@@ -13,6 +13,7 @@
 #include "strange_cam_clay.h"
 #include "strange_pore_water.h"
 #include "strange_softening.h"
+#include "strange_water.h"
 #include "unused_parameters.h"
 #include "wall_warnings.h"
 #include <algorithm>
@@ -23,37 +24,6 @@ namespace Waker
 {
   namespace
   {
-    /// Legal, and apt to give a failure that is none.
-    void
-    check_water(const Parameters &p, std::vector<std::string> &warnings)
-    {
-      if (p.surface.method == SurfaceMethod::contour &&
-          !std::isnan(p.water.level) &&
-          p.initial_failure.limits.width_change < p.grid.cell_size)
-        {
-          std::ostringstream text;
-          text << "Initial failure/Width change: "
-               << p.initial_failure.limits.width_change
-               << " m, but on the contour the width moves in steps of up to a "
-                  "cell, "
-               << p.grid.cell_size
-               << " m, where a support domain passes the level";
-          warnings.push_back(text.str());
-        }
-      if (p.water.stands() && p.water.minimum_support < 1e-3 &&
-          !p.pore_water.is_there())
-        {
-          std::ostringstream text;
-          text << "Water/Minimum support: water may load nodes with hardly any "
-                  "soil ("
-               << p.water.minimum_support
-               << "; 0.01 is usual): the soil there may move for ever, or the "
-                  "dyke seem to fail";
-          warnings.push_back(text.str());
-        }
-    }
-
-
     /// A liquid on soil with friction, and water in it.
     void
     check_liquids(const Parameters &p, std::vector<std::string> &warnings)
@@ -352,7 +322,7 @@ namespace Waker
     warn_of_unused(p, warnings);
     warn_of_friction(p, warnings);
     check_section(p, warnings);
-    check_water(p, warnings);
+    warn_of_water(p, warnings);
     check_liquids(p, warnings);
     warn_of_pore_water(p, warnings);
     for (const std::string &text : storm_warnings(p))
