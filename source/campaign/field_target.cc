@@ -124,8 +124,9 @@ namespace Waker
 
   template <int dim>
   std::vector<std::string>
-  FieldTarget<dim>::warnings() const
+  FieldTarget<dim>::warnings(const std::string &material_name) const
   {
+    const std::string        start = path + ", of \"" + material_name + "\": ";
     std::vector<std::string> lines;
     double                   most = 0., widest = 0.;
     std::size_t              at = 0, of_widest = 0;
@@ -149,7 +150,7 @@ namespace Waker
     if (most > largest_share_beyond)
       {
         std::ostringstream text;
-        text << path << ": with mean " << mean[at] << " and standard deviation "
+        text << start << "with mean " << mean[at] << " and standard deviation "
              << standard_deviation[at] << " the limits cut off " << 100. * most
              << " % of the distribution, which becomes the limit itself: mean "
                 "and deviation will be others";
@@ -158,7 +159,7 @@ namespace Waker
     if (widest > largest_variation)
       {
         std::ostringstream text;
-        text << path << ": the standard deviation is "
+        text << start << "the standard deviation is "
              << standard_deviation[of_widest] << " where the mean is "
              << mean[of_widest] << ", a coefficient of variation of " << widest
              << "; soils have 0.02 to " << largest_variation;

@@ -15,7 +15,8 @@ namespace Waker
       return {};
     std::vector<std::string> lines = fields->warnings();
     for (const FieldTarget<dim> &target : targets)
-      for (const std::string &warning : target.warnings())
+      for (const std::string &warning : target.warnings(
+             the_case->parameters.materials[target.material].name))
         lines.push_back(warning);
     return lines;
   }

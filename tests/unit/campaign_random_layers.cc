@@ -81,6 +81,30 @@ namespace campaign_random_layers
   }
 
 
+  TEST(RandomLayers, a_warning_of_a_field_names_each_of_its_materials_once)
+  {
+    const std::vector<std::string> settings = {"Materials/peat/POP=15",
+                                               a + "Material=clay, peat",
+                                               a + "Property=POP",
+                                               a + "Distribution=normal"};
+    const auto                     warnings = [&](const std::string &sd) {
+      auto all = settings;
+      all.push_back(a + "Standard deviation=" + sd);
+      return Drawn(all).properties.warnings();
+    };
+    // Of 15 +- 9 kPa 4.8 % lie below 0.
+    const auto told = warnings("9");
+    ASSERT_EQ(told.size(), 2u);
+    EXPECT_EQ(told[0].find("Random fields/a, of \"clay\": with mean 15 and "
+                           "standard deviation 9 the limits cut off 4.77"),
+              0u)
+      << told[0];
+    EXPECT_EQ(told[1].find("Random fields/a, of \"peat\": with mean 15"), 0u)
+      << told[1];
+    EXPECT_TRUE(warnings("3.5").empty());
+  }
+
+
   TEST(RandomLayers, a_number_of_practice)
   {
     // sigma'_v = 95.551 and sigma'_y = 115.731 kPa, S = 0.22, m = 0.9: 24.978.

@@ -301,6 +301,9 @@ namespace campaign_random_properties
       const auto cut = warnings({field + "Scales of fluctuation=24, 1",
                                  field + "Coefficient of variation=0.5"});
       ASSERT_EQ(cut.size(), 1u);
+      EXPECT_EQ(cut[0].find("Random fields/strength, of \"clay\": with mean"),
+                0u)
+        << cut[0];
       EXPECT_NE(cut[0].find("the limits cut off 2.27501 %"), std::string::npos)
         << cut[0];
     }

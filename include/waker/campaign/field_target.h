@@ -44,9 +44,10 @@ namespace Waker
     }
 
     /// What is likely not meant: the limits cut off more than a hundredth of
-    /// the distribution, or its spread is that of no soil.
+    /// the distribution, or its spread is that of no soil. A field may have
+    /// several materials, so each line names its own.
     std::vector<std::string>
-    warnings() const;
+    warnings(const std::string &material_name) const;
 
     /// A weight or a stiffness: can the case do with it?
     /// @throws UserError path + "/Property", path + "/Minimum"
