@@ -6,6 +6,7 @@
 #include <waker/case/k0_stress.h>
 #include <waker/case/rank_part.h>
 #include <waker/case/scene.h>
+#include <waker/loads/water_level.h>
 #include <waker/mapping/stencil.h>
 #include <waker/mechanics/deformation.h>
 #include <waker/mechanics/energy.h>
@@ -55,6 +56,23 @@ namespace Waker
               << "): does it slide already? Initial stress/Laws = elastic "
                  "starts without, more Steps are smaller ones";
       throw NumericalFailure(message.str());
+    }
+
+
+    /// By the water outside, if there is a daily stage to compare it with.
+    std::string
+    name_of_last_stage(const Parameters &p)
+    {
+      const auto daily = p.initial_stress.level();
+      if (p.initial_stress.daily_stage && p.water.stands())
+        {
+          const double level = WaterLevel(p.water).at(0.);
+          if (!daily || level > *daily)
+            return "high water";
+          if (level < *daily)
+            return "low water";
+        }
+      return "the start";
     }
 
 
@@ -151,7 +169,7 @@ namespace Waker
                     points);
 
     StageReport report;
-    report.name = in.daily_stage ? "high water" : "the start";
+    report.name = name_of_last_stage(parameters);
     if (!in.is_gravity_step())
       {
         scene.set_internal_force(points);

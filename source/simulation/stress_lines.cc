@@ -10,13 +10,16 @@ namespace Waker
 {
   namespace
   {
+    /// @param follows another stage
     std::string
-    stage_text(const StageReport &stage, const InitialStressParameters &in)
+    stage_text(const StageReport             &stage,
+               const InitialStressParameters &in,
+               const bool                     follows)
     {
       std::ostringstream text;
       text.precision(3);
       text << "  stress    " << stage.name << ": "
-           << (stage.name == "high water"  ? "of the daily stage"
+           << (follows                     ? "of the daily stage"
                : in.from == StressFrom::k0 ? "K0"
                                            : "none at first")
            << ", out of balance by " << 100. * stage.imbalance
@@ -127,8 +130,9 @@ namespace Waker
     const Parameters        &p = the_case.parameters;
     std::vector<std::string> lines;
     if (!p.initial_stress.is_gravity_step())
-      for (const StageReport &stage : the_case.stages)
-        lines.push_back(stage_text(stage, p.initial_stress));
+      for (std::size_t s = 0; s < the_case.stages.size(); ++s)
+        lines.push_back(
+          stage_text(the_case.stages[s], p.initial_stress, s > 0));
     for (unsigned int m = 0; m < p.materials.size(); ++m)
       if (const std::string line =
             material_text(the_case.initial_points, m, p.materials[m].name);

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // From the water of usual days to high water: what is carried, and how.
+#include <waker/base/log.h>
 #include <waker/case/state.h>
+#include <waker/simulation/describe.h>
 #include <waker/simulation/strengths.h>
 
 #include "stress_in_ground.h"
+#include <sstream>
 
 namespace case_stages
 {
@@ -213,6 +216,33 @@ namespace case_stages
     EXPECT_EQ(restored.points.stress, state.points.stress);
     EXPECT_EQ(restored.points.scalar("initial vertical stress"),
               state.points.scalar("initial vertical stress"));
+  }
+
+
+  TEST(Stages, the_second_is_named_by_its_water)
+  {
+    const auto lines = [](const std::string &level) {
+      // Of today's 3.5 m.
+      const auto parameters = dyke(
+        {"Initial stress/Daily level=" + level, "Initial stress/Laws=elastic"});
+      const Case<2> the_case(*parameters, MPI_COMM_SELF);
+      EXPECT_EQ(the_case.stages.size(), 2u);
+      std::ostringstream out;
+      Log                log(out, false);
+      describe_case(the_case, log);
+      return out.str();
+    };
+    for (const auto &[level, name] :
+         std::vector<std::pair<std::string, std::string>>{
+           {"none", "high water"}, {"3.5", "the start"}})
+      {
+        const std::string all = lines(level);
+        EXPECT_NE(all.find("stress    " + name + ": of the daily stage, out"),
+                  std::string::npos)
+          << all;
+        EXPECT_EQ(all.find("high water") != std::string::npos,
+                  name == "high water");
+      }
   }
 
 
