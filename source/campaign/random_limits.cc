@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What points cannot have: of the means, and of what is drawn.
 #include <waker/base/errors.h>
+#include <waker/base/numbers.h>
 #include <waker/base/places.h>
 #include <waker/campaign/random_properties.h>
 
@@ -9,12 +10,44 @@
 
 namespace Waker
 {
+  namespace
+  {
+    /// @throws UserError "Random fields/<name>/Mean"
+    template <int dim>
+    void
+    check_mean_coefficient(const Case<dim>        &the_case,
+                           const FieldTarget<dim> &target)
+    {
+      const RandomProperty &property = target.moments.varied();
+      if (property.kind != RandomProperty::Kind::coefficient)
+        return;
+      const double least = the_case.materials[target.material]
+                             ->coefficients()[property.number]
+                             .least;
+      for (std::size_t i = 0; i < target.points.size(); ++i)
+        if (target.mean[i] < least)
+          {
+            const Point<dim> &x =
+              the_case.initial_points.initial_position[target.points[i]];
+            std::ostringstream text;
+            text << "makes the " << property.name << " " << target.mean[i]
+                 << " at " << place_text(x);
+            throw UserError(target.path + "/Mean",
+                            text.str(),
+                            "at least " + in_digits(least));
+          }
+    }
+  } // namespace
+
+
   template <int dim>
   void
   RandomProperties<dim>::check_means() const
   {
     using Kind                        = RandomProperty::Kind;
     const MaterialPoints<dim> &points = the_case->initial_points;
+    for (const FieldTarget<dim> &target : targets)
+      check_mean_coefficient(*the_case, target);
     for (unsigned int m = 0; m < the_case->materials.size(); ++m)
       {
         std::vector<std::size_t> fields_of; // numbers of the targets
@@ -91,22 +124,47 @@ namespace Waker
           arrays.push_back(
             &state.points.scalars[state.points.find_scalar(variable.name)]
                .values);
-        std::map<unsigned int, BeyondLaw> beyond; // by variable
-        std::vector<double>               values(list.size());
+        // Drawn coefficients, and where points have them.
+        std::vector<std::pair<MaterialVariable, const std::vector<double> *>>
+          coefficients;
+        for (const MaterialVariable &c : law.coefficients())
+          if (has_field(m, c.name))
+            coefficients.emplace_back(c, &state.points.scalar(c.name));
+        std::map<unsigned int, BeyondLaw> beyond; // by variable, coefficient
+        const auto                        count = [&](const unsigned int      number,
+                               const MaterialVariable &what,
+                               const double            value,
+                               const std::string      &allowed) {
+          ++beyond
+              .try_emplace(
+                number,
+                BeyondLaw{m, target->points.size(), what, 0, value, allowed})
+              .first->second.n;
+        };
+        std::vector<double> values(list.size());
         for (const std::size_t q : target->points)
           {
             for (std::size_t v = 0; v < list.size(); ++v)
               values[v] = (*arrays[v])[q];
             const auto problem = law.initial_problem(values);
-            if (!problem)
-              continue;
-            const auto [v, allowed] = *problem;
-            ++beyond
-                .try_emplace(
-                  v,
-                  BeyondLaw{
-                    m, target->points.size(), list[v], 0, values[v], allowed})
-                .first->second.n;
+            if (problem)
+              {
+                const auto [v, allowed] = *problem;
+                count(v, list[v], values[v], allowed);
+                continue;
+              }
+            // A point counts once.
+            for (unsigned int c = 0; c < coefficients.size(); ++c)
+              {
+                const auto &[coefficient, drawn] = coefficients[c];
+                if (!((*drawn)[q] < coefficient.least))
+                  continue;
+                count(list.size() + c,
+                      coefficient,
+                      (*drawn)[q],
+                      "at least " + in_digits(coefficient.least));
+                break;
+              }
           }
         for (const auto &[v, b] : beyond)
           all.push_back(b);
@@ -145,15 +203,17 @@ namespace Waker
           "\" are cut off at a limit");
     for (const BeyondLaw &b : beyond_laws(state))
       {
-        const bool is_most = b.variable.role == Role::dilatancy ||
+        const bool is_least = b.variable.role == Role::coefficient;
+        const bool is_most  = b.variable.role == Role::dilatancy ||
                              b.variable.role == Role::residual_strength;
         std::ostringstream text;
         text << "Random fields: at " << b.n << " of " << b.n_of
              << " points of the material \""
              << the_case->parameters.materials[b.material].name << "\" the "
              << b.variable.name
-             << (is_most ? " counts as the most that its law takes"
-                         : " is none that its law would start with")
+             << (is_least  ? " counts as the least that its law takes"
+                 : is_most ? " counts as the most that its law takes"
+                           : " is none that its law would start with")
              << ": at the first of them it is " << b.value << ", allowed "
              << b.allowed;
         lines.push_back(text.str());

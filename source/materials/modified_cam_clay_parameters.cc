@@ -109,9 +109,9 @@ namespace Waker
   ModifiedCamClayParameters::preconsolidation_expression() const
   {
     const std::string own = tidy(preconsolidation);
-    return own.empty()
-             ? "(ocr*daily_vertical_stress + pop)*" + isotropic_share(holds)
-             : own;
+    return own.empty() ? "(max(ocr, 1)*daily_vertical_stress + pop)*" +
+                           isotropic_share(holds)
+                       : own;
   }
 
 
@@ -213,7 +213,7 @@ namespace Waker
       {
         const auto role = MaterialVariable::Role::coefficient;
         coefficients    = {
-             {"OCR", "-", InitialValue(p.ocr, path + "OCR"), role, "ocr"},
+             {"OCR", "-", InitialValue(p.ocr, path + "OCR"), role, "ocr", "", 1.},
              {"POP", "kPa", InitialValue(pop, path + "POP"), role, "pop"}};
       }
     return std::make_unique<ModifiedCamClay>(

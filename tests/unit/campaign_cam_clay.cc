@@ -70,4 +70,52 @@ namespace campaign_cam_clay
                       "Random fields/a/Property",
                       "does not have");
   }
+
+
+  TEST(CamClayGround, an_OCR_below_1_counts_as_1_and_is_counted)
+  {
+    using LayeredGround::Drawn;
+    const std::string a     = "Random fields/a/";
+    const auto        drawn = [&](const std::string &mean,
+                           const std::string &minimum) {
+      return Drawn({"Materials/clay/Model=modified Cam clay",
+                    "Materials/clay/Friction angle=25",
+                    "Materials/clay/Strength from=initial strength",
+                    "Materials/clay/POP=15",
+                    a + "Property=OCR",
+                    a + "Mean=" + mean,
+                    a + "Coefficient of variation=0.2",
+                    a + "Minimum=" + minimum});
+    };
+    const Drawn low = drawn("1.2", "0");
+    std::size_t n   = 0;
+    for (const std::size_t q : low.points_of(1))
+      if (low.values("OCR")[q] < 1.)
+        {
+          ++n;
+          const double y = low.state.points.initial_position[q][1];
+          ASSERT_NEAR(low.values("preconsolidation pressure")[q],
+                      isotropic_share() * (LayeredGround::stress(y, 3.5) + 15.),
+                      1e-9);
+        }
+    ASSERT_GT(n, 5u);
+    EXPECT_EQ(low.properties.n_beyond_law(low.state), n);
+    const auto lines = low.properties.cut_off(low.state);
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_EQ(lines[0].find("Random fields: at " + std::to_string(n) +
+                            " of 256 points of the material \"clay\" the OCR "
+                            "counts as the least that its law takes"),
+              0u)
+      << lines[0];
+    EXPECT_NE(lines[0].find("allowed at least 1"), std::string::npos)
+      << lines[0];
+    // The control: a minimum of the field is no matter of the law.
+    const Drawn cut = drawn("1.2", "1");
+    EXPECT_EQ(cut.properties.n_beyond_law(cut.state), std::uint64_t(0));
+    // On the average it is bad input, as in a material.
+    EXPECT_NO_THROW(drawn("1", "0"));
+    EXPECT_USER_ERROR(drawn("0.99", "0"),
+                      "Random fields/a/Mean",
+                      "makes the OCR 0.99 at (");
+  }
 } // namespace campaign_cam_clay

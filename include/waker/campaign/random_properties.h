@@ -81,8 +81,8 @@ namespace Waker
 
     /// At how many points of `state`, that apply() has set last, a drawn value
     /// is one that the law would refuse, as a dilatancy angle above the
-    /// friction angle, which counts as the most that the law takes. Nothing
-    /// without fields.
+    /// friction angle, which counts as the most that the law takes, or an OCR
+    /// below 1, which counts as 1. Nothing without fields.
     std::optional<std::uint64_t>
     n_beyond_law(const State<dim> &state) const;
 
@@ -102,7 +102,7 @@ namespace Waker
       std::vector<double> ratio;
     };
 
-    /// A variable that is beyond the law of a material.
+    /// A variable or a coefficient that is beyond the law of a material.
     struct BeyondLaw
     {
       unsigned int     material;
@@ -125,7 +125,7 @@ namespace Waker
 
     /// @throws UserError "Random fields/<name>/Mean": with the means a point
     /// has what its law cannot start with, as a dilatancy angle above the
-    /// friction angle
+    /// friction angle, or an OCR below 1
     void
     check_means() const;
 

@@ -67,6 +67,9 @@ namespace Waker
     /// The variable of whose random field it keeps its share, unless it has a
     /// field of its own; empty: of none.
     std::string goes_along_with = "";
+    /// Of a coefficient: the least that the law takes (of its unit). One that
+    /// is drawn below it counts as this.
+    double least = -std::numeric_limits<double>::infinity();
   };
 
   /// Does a strength reduction divide what has this role?
