@@ -99,20 +99,6 @@ namespace Waker
 
 
   template <int dim>
-  typename NearCells<dim>::Index
-  NearCells<dim>::cell_of(const Point<dim> &x) const
-  {
-    Index index = whole->cell_index(x);
-    for (unsigned int d = 0; d < dim; ++d)
-      index[d] =
-        std::clamp(index[d],
-                   0,
-                   static_cast<int>(whole->n_nodes_per_direction()[d]) - 1);
-    return index;
-  }
-
-
-  template <int dim>
   typename NearCells<dim>::CellBox
   NearCells<dim>::box_around(const CellBox &box, const int reach) const
   {
@@ -139,7 +125,7 @@ namespace Waker
     int farthest = 0;
     for (const Point<dim> &x : positions)
       {
-        const Index cell   = cell_of(x);
+        const Index cell   = whole->nearest_cell(x);
         const auto  is_own = [&](const Index &index) {
           for (unsigned int d = 0; d < dim; ++d)
             if (index[d] < own.first[d] || index[d] >= own.first[d] + own.n[d])

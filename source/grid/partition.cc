@@ -183,13 +183,7 @@ namespace Waker
   unsigned int
   Partition<dim>::owner(const Point<dim> &x) const
   {
-    auto index = whole->cell_index(x);
-    for (unsigned int d = 0; d < dim; ++d)
-      index[d] =
-        std::clamp(index[d],
-                   0,
-                   static_cast<int>(whole->n_nodes_per_direction()[d]) - 1);
-    return owner(whole->node(index));
+    return owner(whole->node(whole->nearest_cell(x)));
   }
 
 

@@ -42,17 +42,6 @@ namespace Waker
             f(grid.node(index));
         }
     }
-
-
-    template <int dim>
-    Point<dim>
-    centroid(const Facet<dim> &facet)
-    {
-      Point<dim> sum;
-      for (const Point<dim> &x : facet.vertices)
-        sum += x;
-      return sum / static_cast<double>(dim);
-    }
   } // namespace
 
 
@@ -177,7 +166,7 @@ namespace Waker
       {
         const Facet<dim> piece = pending.back();
         pending.pop_back();
-        const std::uint32_t p   = nearest(centroid(piece));
+        const std::uint32_t p   = nearest(piece.centroid());
         const Point<dim>   &x_p = (*points)[p];
         bool                cut = false;
         for (unsigned int k = 0; k < dim && !cut; ++k)

@@ -22,17 +22,6 @@ namespace Waker
 
 
     template <int dim>
-    Point<dim>
-    centre_of(const Facet<dim> &facet)
-    {
-      Point<dim> sum;
-      for (const Point<dim> &x : facet.vertices)
-        sum += x;
-      return sum / static_cast<double>(dim);
-    }
-
-
-    template <int dim>
     double
     radius_of(const Facet<dim> &facet, const Point<dim> &centre)
     {
@@ -80,7 +69,7 @@ namespace Waker
     for (const Facets<dim> *const list : facets)
       for (const Facet<dim> &facet : *list)
         {
-          const Point<dim> centre = centre_of(facet);
+          const Point<dim> centre = facet.centroid();
           balls.push_back({centre, radius_of(facet, centre), far});
         }
     own_shares.sort(points.position);
@@ -200,7 +189,7 @@ namespace Waker
     if (positions.empty())
       return; // there is no soil
     // Is any own point near enough?
-    const Point<dim> centre = centre_of(facet);
+    const Point<dim> centre = facet.centroid();
     const double closest = centre.distance(positions[shares.nearest(centre)]);
     const double radius  = closest + 2. * radius_of(facet, centre);
     if (distance(centre, low, high) >

@@ -46,12 +46,10 @@ namespace Waker
       surface_points.split(facet,
                            [&](const Facet<dim> &piece, const std::uint32_t p) {
                              // The mid-point rule is exact for what is linear.
-                             Point<dim> middle;
-                             for (const Point<dim> &x : piece.vertices)
-                               middle += x / static_cast<double>(dim);
                              item.point_loads[p] +=
                                piece.measure() *
-                               item.traction.value(piece.normal, middle);
+                               item.traction.value(piece.normal,
+                                                   piece.centroid());
                            });
   }
 

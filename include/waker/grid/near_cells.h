@@ -125,15 +125,11 @@ namespace Waker
     int
     excursion(const std::vector<Point<dim>> &positions) const;
 
-    /// That holds x; the nearest one if it is off the grid.
-    Index
-    cell_of(const Point<dim> &x) const;
-
     /// Of the cell that holds x, in the plan's box.
     std::size_t
     place(const Plan &plan, const Point<dim> &x) const
     {
-      return place(plan.box, cell_of(x));
+      return place(plan.box, whole->nearest_cell(x));
     }
 
     static std::size_t

@@ -36,6 +36,17 @@ namespace Waker
 
 
   template <int dim>
+  Point<dim>
+  Facet<dim>::centroid() const
+  {
+    Point<dim> sum;
+    for (const Point<dim> &x : vertices)
+      sum += x;
+    return sum / static_cast<double>(dim);
+  }
+
+
+  template <int dim>
   Facet<dim>
   make_facet(const std::array<Point<dim>, dim> &vertices, const int on_face)
   {

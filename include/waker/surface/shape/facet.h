@@ -36,6 +36,10 @@ namespace Waker
     /// Length (m) or area (m^2).
     double
     measure() const;
+
+    /// The mean of the vertices (m).
+    Point<dim>
+    centroid() const;
   };
 
   /// The facet of these vertices, its normal from their order. The normal of a
