@@ -6,6 +6,7 @@
 #include <waker/case/scene.h>
 
 #include "campaign_layered_ground.h"
+#include "output_temporary_folder.h"
 #include "user_errors.h"
 #include <algorithm>
 #include <limits>
@@ -292,10 +293,9 @@ namespace campaign_random_weights
     field.name                   = "a";
     field.local_share            = 0.;
     field.measurement_error      = 0.5;
-    field.measurements =
-      testing::TempDir() + "waker_average_" + std::to_string(getpid()) + ".csv";
-    std::ofstream(field.measurements) << "0.5, 0.5, 1\n1.5, 0.5, 2\n2.5, 0.5, "
-                                         "0.9\n";
+    const TemporaryFolder folder;
+    field.measurements = folder.file("average.csv");
+    put(field.measurements, "0.5, 0.5, 1\n1.5, 0.5, 2\n2.5, 0.5, 0.9\n");
     FieldLattice lattice;
     lattice.n_cells = {{4, 2, 1}};
     const RandomFields fields(parameters,

@@ -2,12 +2,10 @@
 #ifndef waker_tests_level_ground_h
 #define waker_tests_level_ground_h
 
+#include "output_temporary_folder.h"
 #include <algorithm>
-#include <fstream>
-#include <gtest/gtest.h>
 #include <sstream>
 #include <string>
-#include <unistd.h>
 #include <vector>
 
 /// Level ground of layers on a firm base, between rollers: the text of a
@@ -91,10 +89,7 @@ end
   inline std::string
   written(const std::string &text)
   {
-    const std::string path = testing::TempDir() + "waker_level_ground_" +
-                             std::to_string(getpid()) + ".prm";
-    std::ofstream(path) << text;
-    return path;
+    return Waker::put_for_process("level_ground.prm", text);
   }
 } // namespace LevelGround
 

@@ -10,11 +10,10 @@
 #include <waker/simulation/plausibility.h>
 #include <waker/simulation/realisation.h>
 
+#include "output_temporary_folder.h"
 #include "user_errors.h"
 #include <cmath>
-#include <fstream>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 namespace loads_line_delay
 {
@@ -27,9 +26,7 @@ namespace loads_line_delay
     std::unique_ptr<Parameters>
     dyke(const std::vector<std::string> &more)
     {
-      const std::string path = testing::TempDir() + "waker_line_delay_" +
-                               std::to_string(getpid()) + ".prm";
-      std::ofstream(path) << R"(
+      const std::string path = put_for_process("line_delay.prm", R"(
 subsection Grid
   set Lower corner = -1, 0
   set Upper corner = 13, 3
@@ -80,7 +77,7 @@ subsection Time stepping
   set End time      = 30
   set Ramp duration = 1
 end
-)";
+)");
       return read_parameters(path, more);
     }
   } // namespace

@@ -50,6 +50,17 @@ namespace Waker
   }
 
 
+  /// Writes a text to a file of this process, gone at its end; a file of the
+  /// same name is replaced. @return its path
+  inline std::string
+  put_for_process(const std::string &name, const std::string &text)
+  {
+    static const TemporaryFolder folder;
+    put(folder.file(name), text);
+    return folder.file(name);
+  }
+
+
   inline std::string
   get(const std::string &path)
   {

@@ -2,10 +2,9 @@
 #ifndef waker_tests_program_case_h
 #define waker_tests_program_case_h
 
-#include <fstream>
+#include "output_temporary_folder.h"
 #include <gtest/gtest.h>
 #include <string>
-#include <unistd.h>
 
 /// A case on disk, for the tests of reading.
 namespace ProgramCase
@@ -50,10 +49,7 @@ end
   write_case(const std::string &text)
   {
     // Tests may run at the same time, each in a process.
-    const std::string path = testing::TempDir() + "waker_program_input_" +
-                             std::to_string(getpid()) + ".prm";
-    std::ofstream(path) << text;
-    return path;
+    return Waker::put_for_process("program_input.prm", text);
   }
 
 
