@@ -18,8 +18,8 @@ namespace Waker
     /// Of these, or more if the case keeps its points for other realisations:
     /// bytes of the arrays of all points.
     double all_points = 0.;
-    double snapshots = 0.; // moments with ParaView files
-    double disk      = 0.; // bytes, of ParaView files and statistics
+    double snapshots  = 0.; // moments with ParaView files
+    double disk       = 0.; // bytes, of ParaView files and statistics
   };
 
   /// @param n_points, n_nodes of the case

@@ -157,10 +157,10 @@ namespace Waker
     const Case<dim> *the_case;
     State<dim>      *state;
     /// None on one rank.
-    std::unique_ptr<RankPart<dim>> part;
-    Scene<dim>                     scene;
-    Carried<dim>                   carried;
-    Settlements<dim>               settlements;
+    std::unique_ptr<RankPart<dim>>   part;
+    Scene<dim>                       scene;
+    Carried<dim>                     carried;
+    Settlements<dim>                 settlements;
     StepControl<dim>                 control;
     std::unique_ptr<TimeScheme<dim>> scheme_in_motion;
     std::unique_ptr<TimeScheme<dim>> scheme_at_rest; // or none
