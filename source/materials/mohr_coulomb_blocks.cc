@@ -2,7 +2,7 @@
 // Mohr-Coulomb of 16 points at a time: what is far from yield costs little.
 #include <waker/materials/mohr_coulomb.h>
 
-#include "mohr_coulomb_return.h"
+#include "mohr_coulomb_lanes.h"
 #include <algorithm>
 #include <cmath>
 
@@ -97,25 +97,17 @@ namespace Waker
   }
 
 
+  template <typename Use>
   void
-  MohrCoulomb::update_block(const unsigned int n_points, Block &block) const
+  MohrCoulomb::each_yielding(const unsigned int n_points,
+                             const Block       &block,
+                             const bool (&is_elastic)[block_size],
+                             const Use &use) const
   {
-    // Of those that are surely elastic nothing else need be known.
-    double              trial[6][block_size];
-    bool                is_elastic[block_size];
-    MohrCoulombStrength strengths[block_size];
-    find_elastic(n_points, block, trial, is_elastic, strengths);
-    const unsigned int    plastic = number_of_plastic_strain();
     double                variables[most_variables];
     SymmetricTensor<2, 3> strain, stress;
     for (unsigned int l = 0; l < n_points; ++l)
-      if (is_elastic[l])
-        {
-          for (unsigned int a = 0; a < 6; ++a)
-            block.stress[a][l] = trial[a][l];
-          block.dissipation[l] = 0.;
-        }
-      else
+      if (!is_elastic[l])
         {
           for (unsigned int v = 0; v < n_variables(); ++v)
             variables[v] = block.variables[v][l];
@@ -124,12 +116,84 @@ namespace Waker
               strain.access_raw_entry(a) = block.strain_increment[a][l];
               stress.access_raw_entry(a) = block.stress[a][l];
             }
-          block.dissipation[l] =
-            update(strain, strengths[l], stress, variables, nullptr);
-          for (unsigned int a = 0; a < 6; ++a)
-            block.stress[a][l] = stress.access_raw_entry(a);
-          block.variables[plastic][l] = variables[plastic];
+          use(l, strain, stress, variables);
         }
+  }
+
+
+  unsigned int
+  MohrCoulomb::fill_lanes(const unsigned int n_points,
+                          const Block       &block,
+                          const double (&trial)[6][block_size],
+                          const bool (&is_elastic)[block_size],
+                          const MohrCoulombStrength (&strengths)[block_size],
+                          unsigned int (&point)[block_size],
+                          MohrCoulombLanes &lanes) const
+  {
+    const double lame = K - 2. / 3. * G;
+    unsigned int n    = 0;
+    for (unsigned int l = 0; l < n_points; ++l)
+      if (!is_elastic[l])
+        {
+          const double ratio =
+            stiffness_varies ? block.variables[n_own_variables()][l] : 1.;
+          lanes.add(trial, l, strengths[l], ratio * G, ratio * lame);
+          point[n++] = l;
+        }
+    return n;
+  }
+
+
+  void
+  MohrCoulomb::update_block(const unsigned int n_points, Block &block) const
+  {
+    // Of those that are surely elastic nothing else need be known.
+    double              trial[6][block_size];
+    bool                is_elastic[block_size];
+    MohrCoulombStrength strengths[block_size];
+    find_elastic(n_points, block, trial, is_elastic, strengths);
+    const unsigned int plastic = number_of_plastic_strain();
+    for (unsigned int l = 0; l < n_points; ++l)
+      if (is_elastic[l])
+        {
+          for (unsigned int a = 0; a < 6; ++a)
+            block.stress[a][l] = trial[a][l];
+          block.dissipation[l] = 0.;
+        }
+    if (softens_in_step())
+      {
+        each_yielding(n_points,
+                      block,
+                      is_elastic,
+                      [&](const unsigned int           l,
+                          const SymmetricTensor<2, 3> &strain,
+                          SymmetricTensor<2, 3>       &stress,
+                          double *const                variables) {
+                        block.dissipation[l] = update(
+                          strain, strengths[l], stress, variables, nullptr);
+                        for (unsigned int a = 0; a < 6; ++a)
+                          block.stress[a][l] = stress.access_raw_entry(a);
+                        block.variables[plastic][l] = variables[plastic];
+                      });
+        return;
+      }
+    MohrCoulombLanes   lanes;
+    unsigned int       point[block_size];
+    const unsigned int n =
+      fill_lanes(n_points, block, trial, is_elastic, strengths, point, lanes);
+    if (n == 0)
+      return;
+    lanes.find_return(false);
+    double stress[6];
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const unsigned int l = point[i];
+        lanes.get_stress(i, stress);
+        for (unsigned int a = 0; a < 6; ++a)
+          block.stress[a][l] = stress[a];
+        block.dissipation[l] = lanes.dissipation(i);
+        block.variables[plastic][l] += lanes.plastic_strain(i);
+      }
   }
 
 
@@ -154,24 +218,36 @@ namespace Waker
       for (unsigned int a = 0; a < n_components * n_components; ++a)
         for (unsigned int l = 0; l < n_points; ++l)
           tangent[a][l] *= block.variables[n_own_variables()][l];
-    double                variables[most_variables];
-    SymmetricTensor<2, 3> strain, stress;
-    SymmetricTensor<4, 3> D;
-    for (unsigned int l = 0; l < n_points; ++l)
-      if (!is_elastic[l])
-        {
-          for (unsigned int v = 0; v < n_variables(); ++v)
-            variables[v] = block.variables[v][l];
-          for (unsigned int a = 0; a < 6; ++a)
-            {
-              strain.access_raw_entry(a) = block.strain_increment[a][l];
-              stress.access_raw_entry(a) = block.stress[a][l];
-            }
-          update(strain, strengths[l], stress, variables, &D);
-          for (unsigned int a = 0; a < n_components; ++a)
-            for (unsigned int b = 0; b < n_components; ++b)
-              tangent[n_components * a + b][l] =
-                D.access_raw_entry(6 * components[a] + components[b]);
-        }
+    if (softens_in_step())
+      {
+        SymmetricTensor<4, 3> D;
+        each_yielding(n_points,
+                      block,
+                      is_elastic,
+                      [&](const unsigned int           l,
+                          const SymmetricTensor<2, 3> &strain,
+                          SymmetricTensor<2, 3>       &stress,
+                          double *const                variables) {
+                        update(strain, strengths[l], stress, variables, &D);
+                        for (unsigned int a = 0; a < n_components; ++a)
+                          for (unsigned int b = 0; b < n_components; ++b)
+                            tangent[n_components * a + b][l] =
+                              D.access_raw_entry(6 * components[a] +
+                                                 components[b]);
+                      });
+        return;
+      }
+    MohrCoulombLanes   lanes;
+    unsigned int       point[block_size];
+    const unsigned int n =
+      fill_lanes(n_points, block, trial, is_elastic, strengths, point, lanes);
+    if (n == 0)
+      return;
+    lanes.find_return(true);
+    double D[36][block_size];
+    lanes.tangent(n_components, components, D);
+    for (unsigned int a = 0; a < n_components * n_components; ++a)
+      for (unsigned int i = 0; i < n; ++i)
+        tangent[a][point[i]] = D[a][i];
   }
 } // namespace Waker

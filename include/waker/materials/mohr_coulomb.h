@@ -10,6 +10,7 @@
 
 namespace Waker
 {
+  class MohrCoulombLanes;
   struct MohrCoulombStrength;
 
   /**
@@ -169,6 +170,27 @@ namespace Waker
                  double (&trial)[6][block_size],
                  bool (&is_elastic)[block_size],
                  MohrCoulombStrength (&strengths)[block_size]) const;
+
+    /// use(l, strain increment, stress, variables) of points not elastic, each
+    /// with copies of its own.
+    template <typename Use>
+    void
+    each_yielding(const unsigned int n_points,
+                  const Block       &block,
+                  const bool (&is_elastic)[block_size],
+                  const Use &use) const;
+
+    /// Take in all that are not elastic.
+    /// @param point out: their numbers
+    /// @return how many there are
+    unsigned int
+    fill_lanes(const unsigned int n_points,
+               const Block       &block,
+               const double (&trial)[6][block_size],
+               const bool (&is_elastic)[block_size],
+               const MohrCoulombStrength (&strengths)[block_size],
+               unsigned int (&point)[block_size],
+               MohrCoulombLanes &lanes) const;
 
     /// update() of a point that begins with this strength.
     double
