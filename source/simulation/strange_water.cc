@@ -65,6 +65,31 @@ namespace Waker
         return std::numeric_limits<double>::infinity();
       return p.water.level + rise.value(rise.time_of_largest());
     }
+
+
+    template <int dim>
+    bool
+    has_soil(const SoilDepths<dim> &depths, const Point<dim> &x)
+    {
+      const auto column = depths.column(x);
+      return std::any_of(column.begin(), column.end(), [&](const auto &part) {
+        return part.stretch.low <= x[1] && x[1] <= part.stretch.high;
+      });
+    }
+
+
+    /// Of the soil on the vertical line through x (m).
+    template <int dim>
+    double
+    top_of_soil(const SoilDepths<dim> &depths, const double x)
+    {
+      Point<dim> at;
+      at[0]      = x;
+      double top = -std::numeric_limits<double>::infinity();
+      for (const auto &part : depths.column(at))
+        top = std::max(top, part.stretch.high);
+      return top;
+    }
   } // namespace
 
 
@@ -91,10 +116,20 @@ namespace Waker
         if (the_case.materials[m]->is_of_effective_stress() ||
             !(x[1] < level) || !water_side.holds(x[0]))
           continue;
-        const double below = the_case.ground.depths()
-                               .at(x, the_case.layers_of_points[q])
-                               .below_surface;
-        if (!(below < depth && x[1] + below < level))
+        // At the surface, but not below a feather edge of other soil; or at a
+        // face that is steep.
+        const Depths depths =
+          the_case.ground.depths().at(x, the_case.layers_of_points[q]);
+        const bool is_at_surface =
+          depths.below_surface < depth &&
+          depths.in_layer > depths.below_surface - 1e-6 * depth;
+        Point<dim> outside = x;
+        outside[0] += p.water.side == WaterSide::left ? -depth : depth;
+        // Beyond the grid the soil goes on.
+        outside[0] = std::clamp(outside[0],
+                                the_case.grid.lower_corner()[0],
+                                the_case.grid.upper_corner()[0]);
+        if (!is_at_surface && has_soil(the_case.ground.depths(), outside))
           continue;
         is_loaded[m] = true;
         first        = n == 0 ? q : first;
@@ -136,20 +171,18 @@ namespace Waker
     const double           low     = the_case.grid.lower_corner()[0];
     const auto             n       = static_cast<unsigned int>(
       std::round((the_case.grid.upper_corner()[0] - low) * n_lines / h));
-    double longest = 0., end = 0., height = 0., length = 0.;
+    const SoilDepths<dim> &depths  = the_case.ground.depths();
+    double                 longest = 0., end = 0., length = 0.;
     for (unsigned int i = 0; i < n; ++i)
       {
-        Point<dim> x;
-        x[0]       = low + (i + 0.5) * h / n_lines;
-        double top = -std::numeric_limits<double>::infinity();
-        for (const auto &part : the_case.ground.depths().column(x))
-          top = std::max(top, part.stretch.high);
-        length = std::abs(top - level) < near * h ? length + h / n_lines : 0.;
+        const double x = low + (i + 0.5) * h / n_lines;
+        length         = std::abs(top_of_soil(depths, x) - level) < near * h
+                           ? length + h / n_lines
+                           : 0.;
         if (length > longest)
           {
             longest = length;
-            end     = x[0] + 0.5 * h / n_lines;
-            height  = top;
+            end     = x + 0.5 * h / n_lines;
           }
       }
     const double limit = p.initial_failure.limits.width_change;
@@ -158,7 +191,8 @@ namespace Waker
     std::ostringstream text;
     text.precision(4);
     text << "Water/Level: W is measured at " << level
-         << " m, and the ground is level there, at " << height
+         << " m, and the ground is level there, at "
+         << top_of_soil(depths, end - 0.5 * longest)
          << " m from x = " << end - longest << " to " << end
          << " m: where it sinks past the level W jumps by up to " << longest
          << " m, more than Initial failure/Width change, " << limit

@@ -97,6 +97,16 @@ end
     // A cover that is drained is in balance with the water in it.
     EXPECT_EQ(warnings(support, {"Soil profile/cover/Material=sand"}), "");
     EXPECT_EQ(warnings(support, swapped), "");
+    // Nor does the water come to clay deep below, though that ends at the grid.
+    EXPECT_EQ(
+      warnings(support,
+               {"Soil profile/core/Polygon=0, 0; 23, 0; 23, 0.5; 0, "
+                "0.5",
+                "Soil profile/core/Material=clay",
+                "Soil profile/cover/Polygon=0, 0.5; 23, 0.5; 23, 3; 15, "
+                "3; 9, 1; 0, 1",
+                "Soil profile/cover/Material=sand"}),
+      "");
     // The water stands where there is drained soil alone.
     const std::vector<std::string> inner = {
       "Soil profile/cover/Polygon=15, 2; 23, 2; 23, 3; 15, 3",
@@ -117,6 +127,24 @@ end
                                             "23, 1"})),
                 "")
         << rise;
+
+    // What lies below the feather edge of drained soil is not at the surface,
+    // though its points are near.
+    const auto on_ground = [](const std::string &toe) {
+      return warnings(support,
+                      {"Grid/Lower corner=0, -1",
+                       "Soil profile/Layers=core, cover, ground, foreland",
+                       "Soil profile/cover/Material=sand",
+                       "Soil profile/cover/Polygon=" + toe +
+                         ", 0; 9, 0; 15, 2; 23, 2; 23, 3; 15, 3",
+                       "Soil profile/ground/Material=clay",
+                       "Soil profile/ground/Polygon=6, -1; 23, -1; 23, 0; 6, 0",
+                       "Soil profile/foreland/Material=sand",
+                       "Soil profile/foreland/Polygon=0, -1; 6, -1; 6, 0; "
+                       "0, 0"});
+    };
+    EXPECT_EQ(on_ground("6"), "");
+    EXPECT_NE(on_ground("7"), "");
   }
 
 
