@@ -7,6 +7,7 @@
 
 #include "level_ground.h"
 #include <algorithm>
+#include <gtest/gtest.h>
 #include <memory>
 
 namespace simulation_toe_warnings
