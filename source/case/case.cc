@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace Waker
 {
@@ -187,11 +188,10 @@ namespace Waker
 
 
   template <int dim>
-  void
-  Case<dim>::forget_initial_points()
+  MaterialPoints<dim>
+  Case<dim>::take_initial_points()
   {
-    initial_points = MaterialPoints<dim>();
-    give_back_memory();
+    return std::exchange(initial_points, MaterialPoints<dim>());
   }
 
 

@@ -141,51 +141,40 @@ namespace Waker
   }
 
 
-  namespace
+  template <int dim>
+  State<dim>
+  initial_state(const Case<dim> &the_case, MaterialPoints<dim> points)
   {
-    template <int dim>
-    State<dim>
-    state_of(const Case<dim> &the_case, MaterialPoints<dim> points)
-    {
-      State<dim> state;
-      state.points = std::move(points);
-      if (the_case.parameters.sliding.watch)
-        SlidingMassFinder<dim>::start(state.points);
-      state.surface_vertices     = initial_vertices(the_case);
-      state.wall_tractions       = the_case.initial_wall_tractions;
-      state.energy.kinetic_start = kinetic_energy(state.points);
-      state.energy.kinetic       = state.energy.kinetic_start;
-      state.energy.elastic_start =
-        elastic_energy(state.points, the_case.materials);
-      state.energy.elastic = state.energy.elastic_start;
-      state.loads          = the_case.programmes.start();
-      state.pore_water =
-        the_case.pore_water.start(WaterLevel(the_case.parameters.water).at(0.));
-      the_case.flow.start(state);
-      // Whether what is there at t = 0 is in balance is seen by a short one.
-      const TimeParameters &time = the_case.parameters.time;
-      state.long_steps.active =
-        scheme_traits(time).has_long_steps && state.energy.kinetic_start == 0.;
-      if (state.long_steps.active)
-        state.halvings = time.maximum_halvings;
-      return state;
-    }
-  } // namespace
+    State<dim> state;
+    state.points = std::move(points);
+    if (the_case.parameters.sliding.watch)
+      SlidingMassFinder<dim>::start(state.points);
+    state.surface_vertices     = initial_vertices(the_case);
+    state.wall_tractions       = the_case.initial_wall_tractions;
+    state.energy.kinetic_start = kinetic_energy(state.points);
+    state.energy.kinetic       = state.energy.kinetic_start;
+    state.energy.elastic_start =
+      elastic_energy(state.points, the_case.materials);
+    state.energy.elastic = state.energy.elastic_start;
+    state.loads          = the_case.programmes.start();
+    state.pore_water =
+      the_case.pore_water.start(WaterLevel(the_case.parameters.water).at(0.));
+    the_case.flow.start(state);
+    // Whether what is there at t = 0 is in balance is seen by a short one.
+    const TimeParameters &time = the_case.parameters.time;
+    state.long_steps.active =
+      scheme_traits(time).has_long_steps && state.energy.kinetic_start == 0.;
+    if (state.long_steps.active)
+      state.halvings = time.maximum_halvings;
+    return state;
+  }
 
 
   template <int dim>
   State<dim>
   initial_state(const Case<dim> &the_case)
   {
-    return state_of(the_case, the_case.initial_points);
-  }
-
-
-  template <int dim>
-  State<dim>
-  initial_state(Case<dim> &&the_case)
-  {
-    return state_of(the_case, std::move(the_case.initial_points));
+    return initial_state(the_case, the_case.initial_points);
   }
 
 
@@ -196,7 +185,7 @@ namespace Waker
   template State<3>
   initial_state(const Case<3> &);
   template State<2>
-  initial_state(Case<2> &&);
+  initial_state(const Case<2> &, MaterialPoints<2>);
   template State<3>
-  initial_state(Case<3> &&);
+  initial_state(const Case<3> &, MaterialPoints<3>);
 } // namespace Waker

@@ -10,7 +10,6 @@
 #include <waker/simulation/run_to_end.h>
 
 #include <filesystem>
-#include <utility>
 
 namespace Waker
 {
@@ -120,9 +119,10 @@ namespace Waker
         // From now on a signal is seen by all ranks together.
         if (options.before_writing)
           options.before_writing();
-        if (!setup && !options.resume)
-          state = initial_state(std::move(the_case));
-        the_case.forget_initial_points();
+        if (setup || options.resume)
+          the_case.take_initial_points(); // their memory
+        else
+          state = initial_state(the_case, the_case.take_initial_points());
         if (options.resume)
           share_state(communicator, state);
         require_shared_folder(communicator, "");

@@ -253,9 +253,10 @@ namespace Waker
           log.line("Resumed at t = " + std::to_string(state.time) +
                    " s, step " + std::to_string(state.step) + ".");
         }
-      if (!setup && !options.resume)
-        state = initial_state(std::move(the_case));
-      the_case.forget_initial_points();
+      if (setup || options.resume)
+        the_case.take_initial_points(); // their memory
+      else
+        state = initial_state(the_case, the_case.take_initial_points());
       return loop(the_case, options, options.resume, state, *recorder, log);
     }
   } // namespace

@@ -7,7 +7,7 @@ changes on one rank.
 
 usage: ranks.py WAKER SOURCE_DIRECTORY [UNIT_TESTS] [CASE...]
 
-Also: a run that is killed again and again and goes on on another number of ranks;
+Also: a folder that a rank does not see; a run that is killed again and again and goes on on another number of ranks;
 one that ends by SIGTERM; one that fails in a step; files that ranks write together, and that cannot be written;
 the unit tests of partition and exchange on three ranks.
 """
@@ -384,10 +384,37 @@ def fails_alike(waker, source):
             ends[n] = (done.returncode, summary["outcome"], summary["steps"],
                        # Several have left: of which each rank sees its own.
                        "left the background grid" in summary["stop_reason"])
-    print("a failure in a step:", ends[1])
+        # The ranks have written the last good state: it fails again from there.
+        done = call([waker, "run",
+                     os.path.join(source, "parameters", "verification",
+                                  "flying_block.prm"),
+                     "--set", "Time stepping/End time=20",
+                     "--set", "Output/Directory=" + folder, "--resume"], 2)
+        again = done.returncode == 3 and "Resumed at t = " in done.stdout
+    print("a failure in a step:", ends[1], "and from its checkpoint:", again)
     if ends[1] != ends[3]:
         print("on three ranks:", ends[3])
-    return ends[1] == ends[3] and ends[1][0] == 3
+    return ends[1] == ends[3] and ends[1][0] == 3 and again
+
+
+def sees_the_folder(waker, source):
+    """A rank that does not see the output folder is found at the start."""
+    file = os.path.join(source, "parameters", "verification", "flying_block.prm")
+    with tempfile.TemporaryDirectory() as work:
+        words = []
+        for rank in "ab":  # each in a folder of its own, on its own machine, say
+            os.mkdir(os.path.join(work, rank))
+            words += (["mpirun"] if not words else [":"]) + [
+                "-n", "1", "-wdir", os.path.join(work, rank), waker, "run", file,
+                "--set", "Time stepping/End time=0.1",
+                "--set", "Output/Directory=out"]
+        done = subprocess.run(words, env=ENVIRONMENT, capture_output=True, text=True)
+        good = (done.returncode == 2 and "'out/parameters.prm' is not seen by 1 of "
+                "the 2 ranks" in done.stderr)
+        if not good:
+            print(done.returncode, done.stdout, done.stderr)
+    print("a rank that does not see the folder:", "refused" if good else "NOT SEEN")
+    return good
 
 
 def main():
@@ -407,6 +434,7 @@ def main():
         bad += not first_files(waker, source)
         bad += not full_disk(waker, source)
         bad += not fails_alike(waker, source)
+        bad += not sees_the_folder(waker, source)
     for name in rest or cases:
         file, settings, step, ranks, *steps = cases[name]
         end = (steps[0] if steps else n_steps) * step

@@ -60,9 +60,10 @@ namespace Waker
          Materials             materials = {},
          const BalanceWatcher &watcher   = {});
 
-    /// Their memory is given back: of a case whose only realisation has begun.
-    void
-    forget_initial_points();
+    /// Of a case of which nobody asks for them again: the only realisation has
+    /// begun, or begins with them.
+    MaterialPoints<dim>
+    take_initial_points();
 
     const Parameters          parameters;
     const BackgroundGrid<dim> grid;
@@ -75,8 +76,7 @@ namespace Waker
     const PoreWater<dim>                pore_water;
     const Ground<dim>                   ground;
     const double full_node_mass; // Mg, of a node inside the body
-    /// At t = 0; empty after forget_initial_points(), or when a state has taken
-    /// them.
+    /// At t = 0; empty after take_initial_points().
     MaterialPoints<dim> initial_points;
     bool                has_point_loads = false; // on any of them
     /// Height to which their soil reaches (m).

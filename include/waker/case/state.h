@@ -90,10 +90,10 @@ namespace Waker
   State<dim>
   initial_state(const Case<dim> &the_case);
 
-  /// It takes the points of a case that nobody asks for them again.
+  /// The same, of points that were taken from the case.
   template <int dim>
   State<dim>
-  initial_state(Case<dim> &&the_case);
+  initial_state(const Case<dim> &the_case, MaterialPoints<dim> points);
 } // namespace Waker
 
 #endif
