@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "follow.h"
 
-#include <waker/base/errors.h>
+#include <waker/base/file_error.h>
 #include <waker/base/ranks.h>
 #include <waker/output/checkpoint.h>
 #include <waker/output/output_files.h>
@@ -60,6 +60,15 @@ namespace Waker
                         std::to_string(n_ranks(communicator)) +
                         " ranks, which write files together",
                       "a folder that all machines see, by the same path");
+  }
+
+
+  void
+  throw_of_a_begun_run(const UserError &error, const std::string &directory)
+  {
+    if (error.where == "Output/Directory")
+      throw FileError(directory, error.problem);
+    throw error;
   }
 
 
@@ -134,6 +143,10 @@ namespace Waker
                        StopReason::none
                      ? RunStatus::interrupted
                      : RunStatus::completed;
+          }
+        catch (const UserError &error)
+          {
+            throw_of_a_begun_run(error, parameters.output.directory);
           }
         catch (const NumericalFailure &)
           {

@@ -2,6 +2,7 @@
 #ifndef waker_source_simulation_follow_h
 #define waker_source_simulation_follow_h
 
+#include <waker/base/errors.h>
 #include <waker/simulation/run.h>
 
 namespace Waker
@@ -18,6 +19,12 @@ namespace Waker
   void
   require_shared_folder(const MPI_Comm     communicator,
                         const std::string &directory);
+
+  /// A folder that could be written to when the run began, and now cannot, is
+  /// no mistake in the input.
+  /// @throws FileError instead of a UserError of the folder; others as they are
+  [[noreturn]] void
+  throw_of_a_begun_run(const UserError &error, const std::string &directory);
 
   /// What the ranks after the first do in a run: the first alone has the
   /// folder, and speaks to the user.

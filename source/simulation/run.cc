@@ -76,6 +76,10 @@ namespace Waker
               reason  = to_string(stop);
             }
         }
+      catch (const UserError &error)
+        {
+          throw_of_a_begun_run(error, the_case.parameters.output.directory);
+        }
       catch (const NumericalFailure &failure)
         {
           reason = failure.what();

@@ -8,7 +8,7 @@ usage: restart.py WAKER SOURCE_DIRECTORY [SEED]
 Kills with SIGKILL: several times at moments of a failing dyke that a seed
 chooses, once inside the window of a stop rule (the dyke is at rest, but not
 yet for long enough), and while a load programme grows, waits and has been stopped. Also ends a run with SIGTERM, which writes a checkpoint of
-its own.
+its own, and takes the folder of the checkpoints away from one.
 """
 import json
 import os
@@ -193,6 +193,32 @@ def damaged_statistics(waker, folder):
     return ok and done.returncode == 0 and "the first is that of step 0" in warnings
 
 
+def folder_goes_bad(waker, folder):
+    """In place of the checkpoints' folder there is a file: not the input's fault."""
+    settings = [setting for setting in failing if "Checkpoint" not in setting]
+    settings.append("Output/Checkpoint interval=0.01")
+    process = start(waker, folder, settings)
+    while not has_checkpoint(folder) and process.poll() is None:
+        time.sleep(0.01)
+    checkpoints = os.path.join(folder, "checkpoints")
+    os.rename(checkpoints, checkpoints + "-aside")
+    with open(checkpoints, "w"):
+        pass
+    error = process.communicate()[1].decode()
+    if process.returncode != 4 or "Not a directory" not in error or \
+            folder not in error:
+        sys.exit(f"a folder that goes bad ends with {process.returncode}:\n{error}")
+    os.remove(checkpoints)
+    os.rename(checkpoints + "-aside", checkpoints)
+    settings.append("Time stepping/End time=0.5")
+    process = start(waker, folder, settings, "--resume")
+    process.communicate()
+    if process.returncode != 0:
+        sys.exit("it does not go on when the folder is good again: "
+                 f"{process.returncode}")
+    print("a folder that goes bad: told, and goes on")
+
+
 def main():
     parameters = os.path.join(sys.argv[2], "parameters")
     dyke = (sys.argv[1], os.path.join(parameters, "chapter5", "dyke_weak.prm"))
@@ -237,6 +263,7 @@ def main():
             ok = ok and same
         ok = damaged_fields(dyke, os.path.join(folder, "damaged")) and ok
         ok = damaged_statistics(dyke, os.path.join(folder, "rows")) and ok
+        folder_goes_bad(dyke, os.path.join(folder, "bad"))
     return 0 if ok else 1
 
 
