@@ -166,6 +166,9 @@ def model():
     sums = float(np.mean(traffic["sums"]))
     print(f"{1e3 * per_surface:.0f} bytes a step for each (points of the rank)^(2/3), "
           f"up to {messages:.0f} messages and {sums:.0f} sums")
+    for n, p, kB, fit in zip(points, ranks, traffic["kB"], per_surface * surface):
+        print(f"{n:.0f} points, {p:.0f} ranks: {kB:.0f} kB, by the fit {fit:.0f} "
+              f"({100 * (fit / kB - 1):+.0f} %)")
     times = read_csv("ranks_time")
     cell = 0.125
     k = list(times["cell size (m)"]).index(cell)
@@ -178,23 +181,30 @@ def model():
     print("points, ranks: work, bytes, messages, sums, surface (ms); efficiency, and if "
           "all bytes and messages went while ranks work")
     for n in (99328, 794624, 1e7):
-        many = 2 ** np.arange(0, 11)
-        efficiency = []
-        for p in many:
+        def parts(p):
+            """Seconds: own work, bytes, messages, sums, surface of the whole."""
             work = per_point * n / p
-            sent = 1e3 * per_surface * (n / p) ** (2. / 3.) * PER_BYTE
-            # A part in space has up to 26 others around it.
-            told = messages * min(p - 1, 26) / 3. * LATENCY
-            added = sums * STAGE * np.log2(p) if p > 1 else 0.
-            whole = share * n ** (2. / 3.) * per_facet
-            parts = np.array([work, sent if p > 1 else 0., told, added,
-                              whole if p > 1 else 0.])
-            efficiency.append(work / parts.sum())
-            if p in (2, 16, 64, 256, 1024):
-                hidden = work / max(parts.sum() - sent - told, work)
-                print(f"{n:.0f}, {p}: " + ", ".join(f"{1e3 * t:.3g}" for t in parts)
-                      + f"; {efficiency[-1]:.2f}, {hidden:.2f}")
-        axes.semilogx(many, efficiency, marker="o", ms=3, base=2,
+            if p == 1:
+                return np.array([work, 0., 0., 0., 0.])
+            return np.array([
+                work,
+                1e3 * per_surface * (n / p) ** (2. / 3.) * PER_BYTE,
+                # A part in space has up to 26 others around it.
+                messages * min(p - 1, 26) / 3. * LATENCY,
+                sums * STAGE * np.log2(p),
+                share * n ** (2. / 3.) * per_facet])
+
+        def efficiency(p):
+            return parts(p)[0] / parts(p).sum()
+
+        many = 2 ** np.arange(0, 11)
+        for p in (2, 16, 64, 256, 1024):
+            t = parts(p)
+            print(f"{n:.0f}, {p}: " + ", ".join(f"{1e3 * part:.3g}" for part in t)
+                  + f"; {efficiency(p):.2f}, {t[0] / (t.sum() - t[1] - t[2]):.2f}")
+        print(f"{n:.0f}: under 0.70 on "
+              f"{next(p for p in range(2, 1025) if efficiency(p) < 0.7)} ranks")
+        axes.semilogx(many, [efficiency(p) for p in many], marker="o", ms=3, base=2,
                       label=f"{n:.3g} points")
     axes.axhline(0.7, color="0.6", lw=0.8)
     axes.set_xlabel("ranks")
