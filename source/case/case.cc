@@ -16,6 +16,7 @@
 #include <waker/mechanics/deformation.h>
 #include <waker/mechanics/time_scheme.h>
 
+#include "given_stress_check.h"
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -300,7 +301,10 @@ namespace Waker
         give_back_memory();                // what the solver took
       }
     else
-      scene.set_internal_force(points);
+      {
+        check_given_stress(parameters, materials, layers_of_points, points);
+        scene.set_internal_force(points);
+      }
     consolidate(materials, points);
 
     // Newmark starts from the acceleration that fits the forces at t = 0.

@@ -12,8 +12,7 @@ namespace Waker
 {
   namespace
   {
-    /// Further from the yield surface than this, of a stress: round-off.
-    constexpr double round_off = 1e-9, least_stress = 1e-9; // -, kPa
+    constexpr double least_stress = 1e-9; // kPa: below, there is none
     /// Beyond this K0 is looked for no further.
     constexpr double largest_k0 = 1e3;
 
@@ -35,22 +34,10 @@ namespace Waker
         return result;
       }
 
-      /// How far it lies outside the yield surface (kPa).
-      double
-      excess(const double k0) const
-      {
-        const SymmetricTensor<2, 3> start = stress(k0);
-        SymmetricTensor<2, 3>       end   = start;
-        std::vector<double>         after = variables;
-        material.consolidate(start, after.data());
-        material.update(SymmetricTensor<2, 3>(), end, after.data(), nullptr);
-        return (end - start).norm();
-      }
-
       bool
       is_borne(const double k0) const
       {
-        return excess(k0) <= round_off * stress(k0).norm() + least_stress;
+        return Waker::is_borne(material, variables, stress(k0));
       }
 
       /// The K0 furthest from `inside` towards `outside` that is borne.
@@ -142,10 +129,7 @@ namespace Waker
       {
         const Material   &law  = *materials[m];
         const std::string path = "Materials/" + parameters[m].name + "/K0";
-        std::vector<int>  arrays; // of the variables
-        const int of_loads = points.find_scalar("pore pressure of loads");
-        for (const MaterialVariable &variable : law.variables())
-          arrays.push_back(points.find_scalar(variable.name));
+        const int of_loads     = points.find_scalar("pore pressure of loads");
         const K0OfPoints<dim> k0(parameters[m], law, ground, points);
         for (std::size_t p = 0; p < points.n_points(); ++p)
           {
@@ -173,7 +157,7 @@ namespace Waker
                 "soil that is heavy enough not to float up (Saturated unit "
                 "weight), lower heads, or gravity");
             AtRest at_rest{law,
-                           {},
+                           variables_of(points, materials, p),
                            place.vertical_stress,
                            law.is_of_effective_stress() || pore_water.empty()
                              ? 0.
@@ -181,11 +165,12 @@ namespace Waker
                                  (of_loads < 0
                                     ? 0.
                                     : points.scalars[of_loads].values[p])};
-            for (const int array : arrays)
-              at_rest.variables.push_back(points.scalars[array].values[p]);
             if (!at_rest.is_borne(factor))
               {
-                what << ": this stress lies " << at_rest.excess(factor)
+                what << ": this stress lies "
+                     << stress_excess(law,
+                                      at_rest.variables,
+                                      at_rest.stress(factor))
                      << " kPa outside the yield surface";
                 throw UserError(path, what.str(), allowed_k0(at_rest));
               }

@@ -76,6 +76,46 @@ namespace Waker
   }
 
 
+  double
+  stress_excess(const Material              &law,
+                const std::vector<double>   &variables,
+                const SymmetricTensor<2, 3> &stress)
+  {
+    SymmetricTensor<2, 3> end   = stress;
+    std::vector<double>   after = variables;
+    law.consolidate(stress, after.data());
+    law.update(SymmetricTensor<2, 3>(), end, after.data(), nullptr);
+    return (end - stress).norm();
+  }
+
+
+  bool
+  is_borne(const Material              &law,
+           const std::vector<double>   &variables,
+           const SymmetricTensor<2, 3> &stress)
+  {
+    // Further away than this, of the stress, is no round-off.
+    constexpr double round_off = 1e-9, least = 1e-9; // -, kPa
+    return stress_excess(law, variables, stress) <=
+           round_off * stress.norm() + least;
+  }
+
+
+  template <int dim>
+  std::vector<double>
+  variables_of(const MaterialPoints<dim> &points,
+               const Materials           &materials,
+               const std::size_t          p)
+  {
+    std::vector<double> values;
+    for (const MaterialVariable &variable :
+         materials[points.material[p]]->variables())
+      values.push_back(
+        points.scalars[points.find_scalar(variable.name)].values[p]);
+    return values;
+  }
+
+
   template <int dim>
   double
   elastic_energy(const MaterialPoints<dim> &points, const Materials &materials)
@@ -121,6 +161,10 @@ namespace Waker
   consolidate(const Materials &, MaterialPoints<2> &);
   template void
   consolidate(const Materials &, MaterialPoints<3> &);
+  template std::vector<double>
+  variables_of(const MaterialPoints<2> &, const Materials &, const std::size_t);
+  template std::vector<double>
+  variables_of(const MaterialPoints<3> &, const Materials &, const std::size_t);
   template double
   elastic_energy(const MaterialPoints<2> &, const Materials &);
   template double

@@ -54,7 +54,8 @@ namespace Waker
                       "Initial stress of the layer (kPa, tension positive): "
                       "xx; yy; zz; xy and, in 3D, xz; yz, each a number or an "
                       "expression of x, y, z (m), with \";\" between them. It "
-                      "needs Gravity/Initial stress = false. Empty: none, or "
+                      "needs Gravity/Initial stress = false, and a law that "
+                      "bears it. Empty: none, or "
                       "that of the gravity step.",
                       Patterns::Anything());
   }

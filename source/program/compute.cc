@@ -96,8 +96,12 @@ namespace Waker
           case RunStatus::numerical_failure:
             return numerical_failure;
           case RunStatus::interrupted:
-            return signal_offset +
-                   (received_signal != 0 ? received_signal : SIGINT);
+            {
+              // All ranks are here, and one of them has it at least.
+              const int mine   = received_signal;
+              const int signal = Utilities::MPI::max(mine, MPI_COMM_WORLD);
+              return signal_offset + (signal != 0 ? signal : SIGINT);
+            }
         }
       return internal_error;
     }

@@ -302,6 +302,49 @@ namespace case_initial_stress
   }
 
 
+  TEST(InitialStress, a_given_one_must_be_borne)
+  {
+    const std::string verification =
+      WAKER_SOURCE_DIRECTORY "/parameters/verification/";
+    const std::string stress = "Soil profile/sample/Initial stress";
+    const auto        made   = [&](const std::string &file,
+                          const std::string &given,
+                          const std::string &more) {
+      const auto input =
+        read_parameters(verification + file, {stress + "=" + given, more});
+      if (input->dimension == 2)
+        Case<2>(*input, MPI_COMM_SELF);
+      else
+        Case<3>(*input, MPI_COMM_SELF);
+    };
+    // Tension everywhere, of sand; shear beyond friction, of the points that
+    // have it; of clay.
+    const std::string no_cohesion = "Materials/soil/Cohesion=0";
+    expect_refused(
+      [&]() {
+        made("triaxial_compression.prm", "10; 10; 10; 0; 0; 0", no_cohesion);
+      },
+      stress,
+      "is 10; 10; 10; 0; 0; 0 kPa at the point");
+    expect_refused(
+      [&]() { made("simple_shear.prm", "10; 10; 10; 0", no_cohesion); },
+      stress,
+      "17.32 kPa outside");
+    expect_refused(
+      [&]() {
+        made("triaxial_compression.prm",
+             "-100; -100 - 900*x; -100; 0; 0; 0",
+             no_cohesion);
+      },
+      stress,
+      "such points of the layer's");
+    // Borne: none at all, of sand at its apex; pressure; to the limit.
+    for (const char *const given :
+         {"0; 0; 0; 0; 0; 0", "-10; -10; -10; 0; 0; 0", "-30; -10; -20; 0;0;0"})
+      EXPECT_NO_THROW(made("triaxial_compression.prm", given, no_cohesion));
+  }
+
+
   TEST(InitialStress, each_load_step_is_told)
   {
     unsigned int  n_told = 0;

@@ -40,6 +40,14 @@ namespace case_stages
                              "/parameters/verification/dyke_stages.prm",
                              more);
     }
+
+    /// Takes seconds: one for several tests.
+    const Case<2> &
+    staged_dyke()
+    {
+      static const Case<2> the_case(*dyke(), MPI_COMM_SELF);
+      return the_case;
+    }
   } // namespace
 
 
@@ -162,7 +170,7 @@ namespace case_stages
 
   TEST(Stages, a_dyke_keeps_its_stress_within_the_strength_of_the_stage)
   {
-    const Case<2> staged(*dyke(), MPI_COMM_SELF);
+    const Case<2> &staged = staged_dyke();
     ASSERT_EQ(staged.stages.size(), 2u);
     EXPECT_GT(staged.stages[0].imbalance, 0.02);
     EXPECT_GT(staged.stages[1].imbalance, 0.02);
@@ -202,10 +210,10 @@ namespace case_stages
 
   TEST(Stages, strengths_can_be_reduced_and_the_state_be_stored)
   {
-    const Case<2> staged(*dyke(), MPI_COMM_SELF);
-    State<2>      state    = initial_state(staged);
-    const auto   &strength = state.points.scalar("undrained shear strength");
-    const auto    of_clay =
+    const Case<2> &staged   = staged_dyke();
+    State<2>       state    = initial_state(staged);
+    const auto    &strength = state.points.scalar("undrained shear strength");
+    const auto     of_clay =
       std::max_element(strength.begin(), strength.end()) - strength.begin();
     const double before = strength[of_clay];
     ASSERT_GT(before, 0.);

@@ -111,6 +111,39 @@ namespace mechanics_linear_solver
     }
 
 
+    /// Of what one rank has found, and several have.
+    double
+    relative_difference(const Body<3>     &alone,
+                        const NodalVector &x,
+                        const Body<3>     &shared,
+                        const NodalVector &of_shared)
+    {
+      NodalVector difference = x;
+      if (shared.window)
+        {
+          std::vector<double> all(shared.whole.n_dofs());
+          shared.partition.gather(*shared.window,
+                                  of_shared.begin(),
+                                  3,
+                                  all.data());
+          for (std::size_t dof = 0; dof < all.size(); ++dof)
+            difference.begin()[dof] -= all[dof];
+        }
+      else
+        difference -= of_shared;
+      // Nodes that soil hardly touches have motions without stiffness, which
+      // the round-off of single precision moves: their mass is small.
+      double square = 0., of_difference = 0.;
+      for (unsigned int dof = 0; dof < x.size(); ++dof)
+        {
+          const double mass = alone.nodes.mass[dof / 3];
+          square += mass * std::pow(x.begin()[dof], 2);
+          of_difference += mass * std::pow(difference.begin()[dof], 2);
+        }
+      return std::sqrt(of_difference / square);
+    }
+
+
     /// The same body as one rank has it, whatever the rank, also if some have
     /// next to nothing of it.
     void
@@ -134,27 +167,8 @@ namespace mechanics_linear_solver
           EXPECT_EQ(report.iterations, report.strong_iterations);
           n_iterations[x.size() - 1] = report.iterations;
         }
-      NodalVector difference = x[0];
-      if (shared.window)
-        {
-          std::vector<double> all(shared.whole.n_dofs());
-          shared.partition.gather(*shared.window, x[1].begin(), 3, all.data());
-          for (std::size_t dof = 0; dof < all.size(); ++dof)
-            difference.begin()[dof] -= all[dof];
-        }
-      else
-        difference -= x[1];
-      // Nodes that soil hardly touches have motions without stiffness, which
-      // the round-off of single precision moves: their mass is small.
-      double square = 0., of_difference = 0.;
-      for (unsigned int dof = 0; dof < x[0].size(); ++dof)
-        {
-          const double mass = alone.nodes.mass[dof / 3];
-          square += mass * std::pow(x[0].begin()[dof], 2);
-          of_difference += mass * std::pow(difference.begin()[dof], 2);
-        }
       EXPECT_GT(x[0].linfty_norm(), 1e-3);
-      EXPECT_LT(std::sqrt(of_difference / square), 1e-5);
+      EXPECT_LT(relative_difference(alone, x[0], shared, x[1]), 1e-5);
       EXPECT_NEAR(n_iterations[1], n_iterations[0], 5);
     }
 
@@ -164,6 +178,94 @@ namespace mechanics_linear_solver
       check_ranks(Kind(), 1e-12);
       // Domains that stick out, of soils of two stiffnesses.
       check_ranks({0.2, 0.3, 0.1}, 1e-12);
+    }
+
+
+    /// What diffuses and is carried along each direction of the lattice, in
+    /// double precision: not symmetric.
+    struct Convection : public Operator
+    {
+      explicit Convection(const BackgroundGrid<3> &grid)
+        : grid(grid)
+      {}
+
+      void
+      vmult(NodalVector &dst, const NodalVector &src) const override
+      {
+        NodalVector x(src);
+        grid.exchange().send_to_others({{x.begin(), 3}});
+        dst = 0.;
+        for (unsigned int node = 0; node < grid.n_nodes(); ++node)
+          if (grid.exchange().owns(node))
+            for (unsigned int c = 0; c < 3; ++c)
+              dst.begin()[3 * node + c] = row(x, node, c);
+      }
+
+      double
+      row(const NodalVector &x,
+          const unsigned int node,
+          const unsigned int c) const
+      {
+        const auto index = grid.node_index(node);
+        double     sum   = diagonal * x.begin()[3 * node + c];
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            const unsigned int stride = grid.stride(d);
+            if (index[d] > 0)
+              sum -= (1. + carried) * x.begin()[3 * (node - stride) + c];
+            if (index[d] + 1 <
+                static_cast<int>(grid.n_nodes_per_direction()[d]))
+              sum -= (1. - carried) * x.begin()[3 * (node + stride) + c];
+          }
+        return sum;
+      }
+
+      void
+      add_diagonal(NodalVector &values) const override
+      {
+        for (unsigned int dof = 0; dof < values.size(); ++dof)
+          if (grid.exchange().owns(dof / 3))
+            values.begin()[dof] += diagonal;
+      }
+
+      bool
+      is_symmetric() const override
+      {
+        return false;
+      }
+
+      static constexpr double  diagonal = 6.01, carried = 0.5;
+      const BackgroundGrid<3> &grid;
+    };
+
+
+    /// GMRES, which takes the parts of a vector along its basis by one sum over
+    /// all ranks, with so many iterations that it begins anew.
+    TEST(Ranks, GmresOnSeveralRanks)
+    {
+      const Box                 cells = {{12, 12, 12}};
+      const Body<3>             alone(cells), shared(cells, {}, MPI_COMM_WORLD);
+      std::vector<NodalVector>  x;
+      std::vector<unsigned int> n_iterations;
+      for (const Body<3> *body : {&alone, &shared})
+        {
+          const Convection A(body->grid);
+          LinearSolver     solver(body->grid.n_dofs(), body->grid.exchange());
+          solver.prepare(A);
+          x.emplace_back(body->grid.n_dofs());
+          const NodalVector  b      = body->weight();
+          const LinearReport report = solver.solve(A, x.back(), b, 1e-12, 1000);
+          EXPECT_TRUE(report.converged);
+          n_iterations.push_back(report.iterations);
+
+          NodalVector residual(x.back());
+          A.vmult(residual, x.back());
+          residual -= b;
+          EXPECT_LT(body->norm(residual), 2e-12 * body->norm(b));
+        }
+      EXPECT_LT(relative_difference(alone, x[0], shared, x[1]), 1e-10);
+      EXPECT_NEAR(n_iterations[1], n_iterations[0], 1);
+      EXPECT_GT(n_iterations[0], 40u);
     }
 
 

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <set>
 
 namespace simulation_long_steps
 {
@@ -274,7 +275,7 @@ namespace simulation_long_steps
     const auto    given = settings(8., "0: 0, 600: 3.4", 700.);
     const auto    input = coarse(given);
     const Case<2> the_case(input->simulation, MPI_COMM_SELF);
-    const auto    bytes_after = [&](const unsigned int stop_at) {
+    const auto    bytes_after = [&](const std::set<unsigned int> &stops) {
       State<2> state       = initial_state(the_case);
       auto     realisation = std::make_unique<Realisation<2>>(the_case, state);
       unsigned int changes = 0;
@@ -285,7 +286,7 @@ namespace simulation_long_steps
           const bool was_long = state.long_steps.last;
           realisation->advance();
           changes += state.long_steps.last != was_long;
-          if (k + 1 != stop_at)
+          if (stops.count(k + 1) == 0)
             continue;
           State<2> copy;
           copy.read(state.write());
@@ -297,9 +298,7 @@ namespace simulation_long_steps
       EXPECT_GT(state.long_steps.motions, 0u);
       return state.write();
     };
-    const std::string whole = bytes_after(0);
-    for (const unsigned int stop_at : {1u, 150u, 320u, 500u})
-      EXPECT_TRUE(bytes_after(stop_at) == whole) << stop_at;
+    EXPECT_TRUE(bytes_after({1, 150, 320, 500}) == bytes_after({}));
   }
 
 

@@ -168,14 +168,15 @@ namespace Waker::store_journal
     std::vector<Record> right = read_journals(folder.path, hash).records;
     ASSERT_EQ(right.size(), 3u);
     const std::size_t first = whole.find('\n') + 1;
-    // All bits of a line with numbers, and each seventh of the whole file.
+    // Each fifth bit of a line with numbers, and each 23rd of the whole file:
+    // in turn the first to the last of a byte.
     const std::size_t second = whole.find('\n', first) + 1;
     const std::size_t third  = whole.find('\n', second) + 1;
     for (std::size_t bit = 0; bit < 8 * (whole.size() - 1); ++bit)
       {
         const std::size_t byte      = bit / 8;
         const bool        is_second = byte >= second && byte < third;
-        if (!is_second && bit % 7 != 0)
+        if (bit % (is_second ? 5 : 23) != 0)
           continue;
         std::string damaged = whole;
         damaged[byte]       = static_cast<char>(damaged[byte] ^ (1 << bit % 8));

@@ -44,6 +44,27 @@ namespace Waker
   void
   consolidate(const Materials &materials, MaterialPoints<dim> &points);
 
+  /// How far a stress lies outside what a law bears after it has consolidated
+  /// under it (kPa): what a return without a strain takes away.
+  /// @param variables of the law, at the start
+  double
+  stress_excess(const Material              &law,
+                const std::vector<double>   &variables,
+                const SymmetricTensor<2, 3> &stress);
+
+  /// Is it there to round-off only?
+  bool
+  is_borne(const Material              &law,
+           const std::vector<double>   &variables,
+           const SymmetricTensor<2, 3> &stress);
+
+  /// The variables of the law of a point's material, in their order.
+  template <int dim>
+  std::vector<double>
+  variables_of(const MaterialPoints<dim> &points,
+               const Materials           &materials,
+               const std::size_t          p);
+
   /// Elastic energy of the points' stresses (kJ). Variables that the points
   /// lack are 0.
   template <int dim>
