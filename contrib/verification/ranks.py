@@ -3,10 +3,11 @@
 """Numbers and figure of doc/verification/ranks.md: one realisation of the slope of
 chapter 6 (parameters/chapter6/slope.prm) on several ranks.
 
-    ranks.py time WAKER [CELL SIZE]   two ranks against two runs side by side
+    ranks.py time WAKER [CELL SIZE [ROUNDS]]   two ranks against two runs side by side
     ranks.py count WAKER              what ranks tell each other, on 2, 4 and 8
     ranks.py surface WAKER            what is done for each facet by all
     ranks.py imbalance WAKER          a slide on two ranks, by when points are dealt out anew
+    ranks.py flight WAKER             the same of a block that flies from one to the other
     ranks.py model                    fit, table and figure
 
 `time` needs two idle cores. Results are kept in doc/verification/data.
@@ -60,21 +61,31 @@ def loop_time(commands):
     return max(float(match[1]) for match in found)
 
 
-def measure_time(waker, cell):
-    """Steps only: the difference of a longer and a shorter run."""
+def measure_time(waker, cell, rounds):
+    """Steps only: the difference of a longer and a shorter run; in turn."""
     few, many = (20, 80) if cell > 0.1 else (3, 13)
-    side, shared = [], []
-    for n_steps in (few, many):
-        with tempfile.TemporaryDirectory() as work:
-            side.append(loop_time([command(waker, cell, n_steps, work + "/a"),
-                                   command(waker, cell, n_steps, work + "/b")]))
-            shared.append(loop_time([command(waker, cell, n_steps, work + "/c", 2)]))
-    steps = many - few
-    one, two = (side[1] - side[0]) / steps, (shared[1] - shared[0]) / steps
-    print(f"cells of {cell} m: a step takes {one:.3f} s side by side, {two:.3f} s on "
-          f"two ranks: efficiency {one / (2. * two):.3f}")
-    append("ranks_time", 1, {"cell size (m)": cell, "side by side (s)": one,
-                             "two ranks (s)": two})
+    ones, twos = [], []
+    for k in range(rounds):
+        side, shared = [], []
+        for n_steps in (few, many):
+            with tempfile.TemporaryDirectory() as work:
+                side.append(loop_time([command(waker, cell, n_steps, work + "/a"),
+                                       command(waker, cell, n_steps, work + "/b")]))
+                shared.append(loop_time([command(waker, cell, n_steps, work + "/c", 2)]))
+        steps = many - few
+        ones.append((side[1] - side[0]) / steps)
+        twos.append((shared[1] - shared[0]) / steps)
+        print(f"cells of {cell} m: a step takes {ones[-1]:.3f} s side by side, "
+              f"{twos[-1]:.3f} s on two ranks: efficiency {ones[-1] / (2. * twos[-1]):.3f}",
+              flush=True)
+    efficiency = np.array(ones) / (2. * np.array(twos))
+    append("ranks_time", 1, {"cell size (m)": cell,
+                             "side by side (s)": float(np.median(ones)),
+                             "two ranks (s)": float(np.median(twos)),
+                             "rounds": float(rounds),
+                             "efficiency": float(np.median(efficiency)),
+                             "lowest": float(min(efficiency)),
+                             "highest": float(max(efficiency))})
 
 
 def append(name, n_keys, row):
@@ -109,10 +120,14 @@ def count(waker):
                             [float(POINTS[cell])] + numbers)))
 
 
+LIMITS = (1.0, 1.02, 1.05, 1.1, 1.2, 1.5, 100.)
+
+
 def imbalance(waker):
-    """The slope with a sixth of its strength flows out of the parts it began in."""
+    """The slope with a sixth of its strength flows out of the parts it began in; a
+    block flies from one rank's part to the other's."""
     for cell, n_steps in ((0.25, 300), (0.125, 120)):
-        for limit in (1.0, 1.02, 1.05, 1.1, 1.2, 1.5, 100.):
+        for limit in LIMITS:
             with tempfile.TemporaryDirectory() as work:
                 seconds = loop_time([command(waker, cell, n_steps, work + "/run", 2) +
                                      ["--set", f"Ranks/Largest imbalance={limit}",
@@ -122,6 +137,25 @@ def imbalance(waker):
                   flush=True)
             append("ranks_imbalance", 2, {"cell size (m)": cell, "limit": limit,
                                           "step (s)": seconds / n_steps})
+    flight(waker)
+
+
+def flight(waker):
+    """A block of 10,000 points."""
+    cell, step, n_steps = 0.02, 0.0016, 300
+    for limit in LIMITS:
+        with tempfile.TemporaryDirectory() as work:
+            words = ["mpirun", "-n", "2", waker, "run",
+                     "parameters/verification/flying_block.prm"]
+            for setting in (f"Grid/Cell size={cell}", f"Time stepping/Time step={step}",
+                            f"Time stepping/End time={step * n_steps}",
+                            "Newton/Tolerance=1e-3", "Newton/Linear tolerance=1e-2",
+                            "Output/Interval=0", f"Output/Directory={work}/run",
+                            f"Ranks/Largest imbalance={limit}"):
+                words += ["--set", setting]
+            seconds = loop_time([words])
+        print(f"flying block, limit {limit}: {seconds / n_steps:.4f} s a step", flush=True)
+        append("ranks_flight", 1, {"limit": limit, "step (s)": seconds / n_steps})
 
 
 def surface(waker):
@@ -215,18 +249,21 @@ def model():
 
 def main():
     if len(sys.argv) < 2 or sys.argv[1] not in ("time", "count", "surface", "imbalance",
-                                                "model"):
+                                                "flight", "model"):
         sys.exit(__doc__)
     if sys.argv[1] == "model":
         model()
     elif sys.argv[1] == "count":
         count(sys.argv[2])
+    elif sys.argv[1] == "flight":
+        flight(sys.argv[2])
     elif sys.argv[1] == "surface":
         surface(sys.argv[2])
     elif sys.argv[1] == "imbalance":
         imbalance(sys.argv[2])
     else:
-        measure_time(sys.argv[2], *[float(word) for word in sys.argv[3:4] or ["0.125"]])
+        measure_time(sys.argv[2], float((sys.argv[3:4] or ["0.125"])[0]),
+                     int((sys.argv[4:5] or ["5"])[0]))
 
 
 if __name__ == "__main__":
