@@ -19,6 +19,8 @@ import sys
 import tempfile
 import time
 
+import program
+
 # Coarse, so that a run takes seconds; a checkpoint every 0.1 s, so that the
 # kills fall between checkpoints that are not all the same.
 coarse = ["Grid/Cell size=0.5", "Output/Interval=0.2",
@@ -51,6 +53,12 @@ def start(waker, folder, settings, *flags):
                             stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
 
 
+def complete(waker, folder, settings, *flags, check=False):
+    """To its end, without a process to wait for or to kill."""
+    return program.shared(waker[0]).run(
+        command(waker, folder, settings, *flags)[1:], check=check)
+
+
 def simulated_time(folder):
     """Time in the last complete row of the statistics on disk."""
     try:
@@ -70,26 +78,25 @@ def has_checkpoint(folder):
 def kill_and_resume(waker, folder, settings, moments, kill, rng):
     """Kill at each simulated moment (s), resume, and finally let it end.
     Returns the times up to which the statistics were on disk at the kills."""
-    kills = []
-    run = start(waker, folder, settings)
+    kills, flags = [], ()
     for moment in moments:
+        run = start(waker, folder, settings, *flags)
         while run.poll() is None and not (
                 has_checkpoint(folder) and simulated_time(folder) >= moment):
             time.sleep(0.002)
         time.sleep(0.03 * rng.random())
-        if run.poll() is not None:
-            break
         run.send_signal(kill)
-        code = run.wait()
+        run.communicate()
+        code = run.returncode
+        if code == 0:  # it was faster
+            return kills
         if code != (143 if kill == signal.SIGTERM else -kill):
             sys.exit(f"signal {kill}: ended with {code}")
         kills.append(simulated_time(folder))
         # As if it had been killed between writing a file and renaming it.
         open(os.path.join(folder, "surface.pvd.tmp"), "w").close()
-        run = start(waker, folder, settings, "--resume")
-    error = run.communicate()[1].decode()
-    if run.returncode != 0:
-        sys.exit(f"resumed run ended with {run.returncode}: {error}")
+        flags = ("--resume",)
+    complete(waker, folder, settings, *flags, check=True)
     return kills
 
 
@@ -143,8 +150,7 @@ def damaged_fields(waker, folder):
         file.seek(-200, os.SEEK_END)
         file.write(bytes([byte[0] ^ 1]))
     os.remove(second)
-    done = subprocess.run(command(waker, folder, failing, "--resume"),
-                          capture_output=True, check=False)
+    done = complete(waker, folder, failing, "--resume")
     with open(os.path.join(folder, "summary.json"), encoding="utf-8") as file:
         warnings = " ".join(json.load(file)["warnings"])
     ok = (done.returncode == 0 and "2 field files" in warnings and
@@ -157,8 +163,7 @@ def damaged_fields(waker, folder):
 def damaged_statistics(waker, folder):
     """Rows of before the checkpoint that are gone are told; a header that is not
     that of the rows is a reason to end."""
-    subprocess.run(command(waker, folder, failing + ["Time stepping/End time=0.3"]),
-                   check=True, stdout=subprocess.DEVNULL)
+    complete(waker, folder, failing + ["Time stepping/End time=0.3"], check=True)
     path = os.path.join(folder, "statistics")
     with open(path, encoding="utf-8") as file:
         lines = file.read().split("\n")
@@ -170,9 +175,8 @@ def damaged_statistics(waker, folder):
         else:
             with open(path, "w", encoding="utf-8") as file:
                 file.write("\n".join(changed))
-        done = subprocess.run(
-            command(waker, folder, failing + [f"Time stepping/End time={end}"],
-                    "--resume"), capture_output=True, text=True, check=False)
+        done = complete(waker, folder, failing + [f"Time stepping/End time={end}"],
+                        "--resume")
         with open(os.path.join(folder, "summary.json"), encoding="utf-8") as file:
             return done, " ".join(json.load(file)["warnings"])
 
@@ -211,11 +215,10 @@ def folder_goes_bad(waker, folder):
     os.remove(checkpoints)
     os.rename(checkpoints + "-aside", checkpoints)
     settings.append("Time stepping/End time=0.5")
-    process = start(waker, folder, settings, "--resume")
-    process.communicate()
-    if process.returncode != 0:
+    done = complete(waker, folder, settings, "--resume")
+    if done.returncode != 0:
         sys.exit("it does not go on when the folder is good again: "
-                 f"{process.returncode}")
+                 f"{done.returncode}")
     print("a folder that goes bad: told, and goes on")
 
 
@@ -227,27 +230,29 @@ def main():
     seed = int(sys.argv[3]) if len(sys.argv) > 3 else 1
     print(f"seed {seed}")
     rng = random.Random(seed)
-    ok = True
+    ok, wholes = True, []
     with tempfile.TemporaryDirectory() as folder:
         for name, waker, settings, moments, kill in [
                 ("killed at random while failing", dyke, failing,
-                 sorted(rng.uniform(0.2, 4.) for _ in range(4)),
+                 sorted(rng.uniform(0.2, 4.) for _ in range(3)),
                  signal.SIGKILL),
                 ("killed in the window of the stop rule", dyke, resting,
                  [rng.uniform(1.5, 3.5)], signal.SIGKILL),
                 ("killed under a load that grows", slope, loading,
-                 sorted(rng.uniform(0.1, 1.4) for _ in range(4)),
+                 sorted(rng.uniform(0.1, 1.4) for _ in range(3)),
                  signal.SIGKILL),
                 ("killed while softening is nonlocal", dyke, surrounded,
                  sorted(rng.uniform(0.5, 3.) for _ in range(2)),
                  signal.SIGKILL),
                 ("ended with SIGTERM", dyke, failing, [rng.uniform(0.5, 3.)],
                  signal.SIGTERM)]:
-            safe = name.replace(" ", "_")
-            whole = os.path.join(folder, safe + "_whole")
-            parts = os.path.join(folder, safe + "_parts")
-            subprocess.run(command(waker, whole, settings), check=True,
-                           stdout=subprocess.DEVNULL)
+            parts = os.path.join(folder, name.replace(" ", "_"))
+            # Two share one that was not killed.
+            if settings not in wholes:
+                wholes.append(settings)
+                complete(waker, os.path.join(folder, f"whole-{len(wholes) - 1}"),
+                         settings, check=True)
+            whole = os.path.join(folder, f"whole-{wholes.index(settings)}")
             kills = kill_and_resume(waker, parts, settings, moments, kill, rng)
             ok = compare(name, whole, parts, kills, len(moments)) and ok
             if settings is resting:
