@@ -17,7 +17,7 @@ from campaign_case import Campaign, Checks, finish
 
 def main():
     waker, source = sys.argv[1:3]
-    n = int(sys.argv[3]) if len(sys.argv) > 3 else 12
+    n = int(sys.argv[3]) if len(sys.argv) > 3 else 8
     check = Checks()
     with tempfile.TemporaryDirectory(prefix="waker-") as folder:
 

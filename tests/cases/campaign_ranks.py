@@ -232,10 +232,10 @@ def main():
             check(all(record["ranks"] == 2 for record in campaign.records()),
                   f"{what}: records say so")
 
-        chunks = make("chunks")
+        chunks = make("chunks", n=FEW)
         for number in (2, 1):
             chunks.run("--chunk", f"{number}/2", ranks=2, set=TWO)
-        check.once_each("chunks", chunks, n)
+        check.once_each("chunks", chunks, FEW)
         like(check, "chunks", whole, chunks)
         check(os.path.exists(os.path.join(chunks.folder, "results.h5")),
               "the last chunk merges")
