@@ -3,11 +3,12 @@
 wrote, count what is not as expected."""
 
 import os
-import subprocess
 import sys
 import xml.etree.ElementTree as ElementTree
 
 import numpy as np
+
+import program
 
 
 def run(waker, case, directory, **sections):
@@ -20,12 +21,8 @@ def run(waker, case, directory, **sections):
         path = section.replace("__", "/").replace("_", " ")
         for name, value in values.items():
             command += ["--set", f"{path}/{name}={value}"]
-    environment = dict(os.environ, OMPI_MCA_ess_singleton_isolated="1")
-    done = subprocess.run(command, env=environment, stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT, text=True, check=False)
-    # 3: a step did not converge.
-    if done.returncode != 0:
-        sys.exit(" ".join(command) + "\n" + done.stdout)
+    # Anything but 0 ends the test; 3: a step did not converge.
+    program.shared(waker).run(command[1:], check=True)
 
 
 def statistics(directory):

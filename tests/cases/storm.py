@@ -8,9 +8,10 @@ and holds, a drawdown; steps of other lengths change nothing, and a campaign say
 
 import csv
 import os
-import subprocess
 
 import numpy as np
+
+import program
 from waker_case import Checks, workspace_of_arguments
 
 CASE = "verification/dyke_storm.prm"
@@ -95,10 +96,9 @@ def campaign(work, checks):
                "Output/Directory": folder}
     file = os.path.join(work.source, "parameters", "verification",
                         "dyke_storm_campaign.prm")
-    done = subprocess.run(
-        [work.waker, "campaign", file,
-         *(word for name, value in coarser.items() for word in ("--set", f"{name}={value}"))],
-        capture_output=True, text=True, check=False)
+    done = program.shared(work.waker).run(
+        ["campaign", file,
+         *(word for name, value in coarser.items() for word in ("--set", f"{name}={value}"))])
     checks.equal("campaign: exit code", done.returncode, 0)
     with open(os.path.join(folder, "report", "probability_time.csv"),
               encoding="utf-8") as table:

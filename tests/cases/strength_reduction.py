@@ -14,7 +14,8 @@ import sys
 import tempfile
 import time
 
-from campaign_case import COARSE, Campaign, Checks, finish
+import program
+from campaign_case import COARSE, Campaign, Checks
 
 # The middle of this bracket is 1: what a realisation of the campaign has.
 BRACKET = {"Strength reduction/Lower factor": 0.5,
@@ -34,18 +35,30 @@ class Reduction:
                                    "analysis1.prm" if random else "dyke.prm")]
         self.environment = dict(os.environ, OMP_NUM_THREADS="1")
 
-    def start(self, *flags, **sets):
+    def command(self, *flags, **sets):
         words = [*self.words, *flags]
         for name, value in {**COARSE, **BRACKET,
                             "Output/Directory": self.folder,
                             **sets.pop("set", {})}.items():
             words += ["--set", f"{name}={value}"]
-        return subprocess.Popen(words, text=True, env=self.environment,
+        return words
+
+    def start(self, *flags, **sets):
+        """In the background."""
+        return subprocess.Popen(self.command(*flags, **sets), text=True,
+                                env=self.environment,
                                 stdout=subprocess.DEVNULL,
                                 stderr=subprocess.PIPE)
 
+    def asked(self, *flags, check=False, **sets):
+        """To its end, without a process to wait for or to kill."""
+        words = self.command(*flags, **sets)
+        return program.shared(words[0]).run(words[1:], env=self.environment,
+                                            check=check)
+
     def run(self, *flags, **sets):
-        finish(self.start(*flags, **sets))
+        """The same. Must succeed."""
+        self.asked(*flags, check=True, **sets)
         return self.result()
 
     def result(self):
@@ -113,10 +126,10 @@ def main():
         # The trials of another realisation are not taken for its own.
         other = reduction("realisation-0")
         check.refused("resume with another realisation",
-                      other.start("--resume", "--realisation", "1"),
+                      other.asked("--resume", "--realisation", "1"),
                       "belongs to another case")
         check.refused("a realisation of nothing random",
-                      reduction("x", False).start("--realisation", "1"),
+                      reduction("x", False).asked("--realisation", "1"),
                       "nothing is random")
 
         # Killed after the second trial, then resumed.
@@ -150,10 +163,10 @@ def main():
 
         # Nothing converges: recorded, and not a factor.
         trouble = reduction("trouble", False)
-        finish(trouble.start(set={"Newton/Tolerance": 1e-15,
+        code = trouble.asked(set={"Newton/Tolerance": 1e-15,
                                   "Newton/Maximum iterations": 1,
-                                  "Time stepping/Maximum halvings": 1}),
-               code=3)
+                                  "Time stepping/Maximum halvings": 1}).returncode
+        check(code == 3, "numerical failure: exit code", code)
         result = trouble.result()
         check(result["factor_of_safety"] is None
               and result["numerical_failures"] == 1
