@@ -22,7 +22,7 @@ import tempfile
 
 from campaign_case import Campaign, Checks
 
-N = 12
+N = 9
 
 
 def contents(folder):
@@ -200,7 +200,7 @@ def full_disk(make, disk, reference, check):
     if disk.folder is not None:
         campaign = make("full", folder=os.path.join(disk.folder, "full"))
         campaign.run("--realisations", "0:2")
-        filler = disk.fill(32768)
+        filler = disk.fill(24576)
         process = campaign.start("--resume")
     else:
         campaign = make("full")

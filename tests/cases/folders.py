@@ -382,7 +382,7 @@ def full_disk(folders, disk, check):
 
 def campaigns(folders, check):
     """Two resumptions share the work; nobody overwrites what runs."""
-    n = 24
+    n = 16
     campaign = Campaign(folders.waker, folders.source,
                         folders.path("campaign"), n)
     first = campaign.start()
