@@ -232,10 +232,11 @@ def main():
             check(all(record["ranks"] == 2 for record in campaign.records()),
                   f"{what}: records say so")
 
-        chunks = make("chunks", n=FEW)
+        few = FEW if n == N else n
+        chunks = make("chunks", n=few)
         for number in (2, 1):
             chunks.run("--chunk", f"{number}/2", ranks=2, set=TWO)
-        check.once_each("chunks", chunks, FEW)
+        check.once_each("chunks", chunks, few)
         like(check, "chunks", whole, chunks)
         check(os.path.exists(os.path.join(chunks.folder, "results.h5")),
               "the last chunk merges")
