@@ -8,6 +8,7 @@ chapter 6 (parameters/chapter6/slope.prm) on several ranks.
     ranks.py surface WAKER            what is done for each facet by all
     ranks.py imbalance WAKER          a slide on two ranks, by when points are dealt out anew
     ranks.py flight WAKER             the same of a block that flies from one to the other
+    ranks.py pairs WAKER SOURCE [ROUNDS]  one rank, against an earlier version built there
     ranks.py model                    fit, table and figure
 
 `time` needs two idle cores. Results are kept in doc/verification/data.
@@ -86,6 +87,39 @@ def measure_time(waker, cell, rounds):
                              "efficiency": float(np.median(efficiency)),
                              "lowest": float(min(efficiency)),
                              "highest": float(max(efficiency))})
+
+
+PAIRS = {
+    "dyke": ["parameters/chapter5/dyke_weak.prm", "Output/Interval=0"],
+    "slope, 0.25 m": [SLOPE, "Grid/Cell size=0.25", "Time stepping/End time=0.6",
+                      "Materials/clay/Initial strength=2"],
+    "slope, 0.125 m": [SLOPE, "Time stepping/End time=0.2"]}
+
+
+def pairs(waker, before, rounds):
+    """One rank: the loop over steps of this program and of an earlier one, whose
+    source folder is given, in turn; who is first changes each time."""
+    rows = {"case": [], "before (s)": [], "now (s)": []}
+    for name, (file, *settings) in PAIRS.items():
+        if file == SLOPE:
+            settings += ["Gravity/Initial stress=false", "Output/Interval=100",
+                         "Output/Checkpoint interval=1e6"]
+        for k in range(rounds):
+            times = {}
+            for folder in ((before, "."), (".", before))[k % 2]:
+                program = waker if folder == "." else f"{before}/build/bin/waker"
+                with tempfile.TemporaryDirectory() as work:
+                    words = [program, "run", os.path.join(folder, file)]
+                    for setting in settings + [f"Output/Directory={work}/run"]:
+                        words += ["--set", setting]
+                    times[folder] = loop_time([words])
+            rows["case"].append(name)
+            rows["before (s)"].append(times[before])
+            rows["now (s)"].append(times["."])
+        last = slice(-rounds, None)
+        ratio = np.array(rows["now (s)"][last]) / np.array(rows["before (s)"][last])
+        print(f"{name}: {np.median(ratio):.3f} ({min(ratio):.2f} to {max(ratio):.2f})")
+    write_csv("ranks_pairs", rows)
 
 
 def append(name, n_keys, row):
@@ -249,12 +283,14 @@ def model():
 
 def main():
     if len(sys.argv) < 2 or sys.argv[1] not in ("time", "count", "surface", "imbalance",
-                                                "flight", "model"):
+                                                "flight", "pairs", "model"):
         sys.exit(__doc__)
     if sys.argv[1] == "model":
         model()
     elif sys.argv[1] == "count":
         count(sys.argv[2])
+    elif sys.argv[1] == "pairs":
+        pairs(sys.argv[2], sys.argv[3], int((sys.argv[4:5] or ["6"])[0]))
     elif sys.argv[1] == "flight":
         flight(sys.argv[2])
     elif sys.argv[1] == "surface":
