@@ -34,7 +34,7 @@ def heads(work):
     line = "-12, 3; 0, 3; 28, {0:g}; 48, {1:g}"
     rows = [(float("nan"), factor(work, "none", HEADS, {
         "Head lines/Names": "", "Reference lines/Names": ""}))]
-    for head in (0.0, 0.6, 1.2):
+    for head in (0.0, 0.6, 1.2, 1.7):
         rows.append((head, factor(work, f"head-{head}", HEADS, {
             "Head lines/aquifer/Line": line.format(head, 0.5 * head)})))
     for head, value in rows:
