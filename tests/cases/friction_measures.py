@@ -10,7 +10,10 @@ import numpy as np
 
 SLOPE = "verification/slope_friction.prm"
 DRAWDOWN = "verification/slope_drawdown.prm"
+ACADS = "verification/slope_acads.prm"
+HEAD_LINES = "verification/dyke_head_lines.prm"
 FOOTING = "verification/strip_footing_friction.prm"
+UNDRAINED = "verification/strip_footing_undrained.prm"
 COLUMN = "verification/granular_column.prm"
 SOIL = "Materials/soil/"
 COHESION, HALF_WIDTH, RATE = 10.0, 0.5, 0.0005  # kPa, m, m per s
@@ -26,6 +29,20 @@ def n_c(angle):
     phi = math.radians(angle)
     return (math.exp(math.pi * math.tan(phi))
             * math.tan(math.pi / 4 + phi / 2)**2 - 1) / math.tan(phi)
+
+
+def n_c_undrained(stiffness, angle=20.0, modulus=1e5, poisson=0.3):
+    """The same of the undrained footing by the stiffness of its water (kPa).
+
+    With psi = 0 volume changes elastically: of the mean of the largest and the smallest
+    stress, s, the grains get s' = s (K' + G/3)/(K' + G/3 + K_f) in plane strain. Strength
+    c cos(phi) + s' sin(phi) is then Mohr-Coulomb's in total stress, with an angle.
+    """
+    shear = modulus / (2 * (1 + poisson))
+    grains = modulus / (3 * (1 - 2 * poisson)) + shear / 3
+    phi = math.radians(angle)
+    total = math.asin(math.sin(phi) * grains / (grains + stiffness))
+    return n_c(math.degrees(total)) * math.cos(phi) / math.cos(total)
 
 
 def load(run):

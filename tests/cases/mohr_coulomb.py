@@ -1,18 +1,19 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Soil with friction: slopes, one with water in it, and a footing against published
-numbers; --long: on finer cells, and a pile of bars that spreads
-(doc/verification/mohr_coulomb.md, pore_water.md).
+numbers; --long: on finer cells, a dyke over sand with a head of its own, soil that keeps
+its water, and a pile of bars that spreads; --footings: as cells get smaller
+(doc/verification/mohr_coulomb.md, pore_water.md, pore_pressure.md).
 
-usage: mohr_coulomb.py WAKER SOURCE_DIRECTORY [--long]
+usage: mohr_coulomb.py WAKER SOURCE_DIRECTORY [--long | --footings]
 """
 
 import sys
 
 import numpy as np
-from friction_measures import (COLUMN, DRAWDOWN, FOOTING, HALF_WIDTH, MEASURED,
-                               SLOPE, WALLS, front, heights, load, n_c, rankine,
-                               wall_force)
+from friction_measures import (ACADS, COLUMN, DRAWDOWN, FOOTING, HALF_WIDTH,
+                               HEAD_LINES, MEASURED, SLOPE, UNDRAINED, WALLS, front,
+                               heights, load, n_c, n_c_undrained, rankine, wall_force)
 from waker_case import Checks, workspace_of_arguments
 
 COARSE = {"Grid/Cell size": 1, "Time stepping/Time step": 0.02}
@@ -45,6 +46,10 @@ def slopes(checks, work):
     checks.between("slope of 1:2: factor of safety (finite elements: 1.4), "
                    "as before", factor, 1.395, 1.411)
     checks.equal("  slope that slides", result["failure"]["slope"], "inner")
+    acads = work.factor_of_safety("acads", ACADS, bracket(0.96, 1.02))[
+        "factor_of_safety"]
+    checks.between("ACADS 1(a): factor over Bishop's", acads / 0.987, 0.97, 1.03)
+    checks.between("  as before", acads, 0.983, 0.999)
     lowered = work.factor_of_safety("lowered", DRAWDOWN, bracket(1.28, 1.36))
     checks.between("water 7 m below the crest: factor (finite elements: 1.3), "
                    "as before", lowered["factor_of_safety"], 1.311, 1.331)
@@ -62,6 +67,9 @@ def coarse_slopes(checks, work):
     # Within the width of the search's bracket.
     checks.between("  with double mapping", factors[1] - factors[0],
                    -0.012, 0.012)
+    acads = work.factor_of_safety("acads", ACADS, {**COARSE, **bracket(0.98, 1.06)})
+    checks.between("ACADS 1(a) on coarse cells (Bishop: 0.987)",
+                   acads["factor_of_safety"], 1.0, 1.04)
     # Water in the ground and outside, and half the weight without either.
     under = work.factor_of_safety("under", DRAWDOWN, {
         **COARSE, **bracket(1.8, 2.1), "Tractions/reservoir/Level": 10,
@@ -75,14 +83,58 @@ def coarse_slopes(checks, work):
     checks.between("  as before", under["factor_of_safety"], 1.92, 1.99)
 
 
+def heads(checks, work):
+    # What the water in the sand does; narrow brackets, for the sake of time.
+    factors = [work.factor_of_safety(name.replace(" ", "-"), HEAD_LINES, {
+        **bracket(low, low + 0.08), **sets})["factor_of_safety"]
+        for name, low, sets in (
+            ("1.2 m", 1.41, {}),
+            ("0 m", 1.69, {"Head lines/aquifer/Line": "-12, 3; 0, 3; 28, 0; 48, 0"}),
+            ("none", 1.65, {"Head lines/Names": "", "Reference lines/Names": ""}))]
+    checks.between("dyke over sand with a head of 1.2 m at the toe: factor, as before",
+                   factors[0], 1.435, 1.475)
+    checks.between("  over that with the head at the ground", factors[0] / factors[1],
+                   0.8, 0.9)
+    checks.between("  over that with the phreatic line alone", factors[0] / factors[2],
+                   0.82, 0.9)
+
+
 def footing(checks, work):
-    run = work.run("footing", FOOTING, {"Time stepping/Time step": 2})
+    run = work.run("footing", FOOTING, {"Time stepping/Time step": 2,
+                                        "Material points/Points per direction": 2})
     checks.equal("footing: steps that did not converge",
                  run["unconverged_steps"], 0)
     over = float(load(run)[-1]) / n_c(20.0)
     checks.between("  load over N_c c of a footing half a cell wider",
                    over / (1.0 + 0.0625 / HALF_WIDTH), 1.0, 1.15)
     checks.between("  load over N_c c, as before", over, 1.255, 1.263)
+
+
+def fine_footings(checks, work):
+    for angle in 20.0, 30.0:
+        errors = [float(load(work.run(f"fine-{angle}-{cell}", FOOTING, {
+            "Materials/soil/Friction angle": angle, "Grid/Cell size": cell,
+            "Time stepping/End time": 30}))[-1]) / n_c(angle) - 1
+            for cell in (0.25, 0.125, 0.0625)]
+        checks.between(f"footing, {angle:g} degrees, one point a cell: load over N_c c - 1 "
+                       "on cells of an eighth", errors[1], 0.0, 0.05)
+        checks.between("  over that on cells of a quarter", errors[1] / errors[0], 0.4, 0.8)
+        checks.between("  on half of them over that", errors[2] / errors[1], 0.4, 0.7)
+
+
+def undrained_footing(checks, work):
+    # s' takes a share of the load by the stiffness of the water: another N_c, by a
+    # closed form. Of two stiffnesses on the same cells what the cells do falls out.
+    stiffness = 2e6, 2e7
+    over = [float(load(work.run(f"undrained-{k:g}", UNDRAINED, {
+        "Grid/Cell size": 0.25, "Materials/soil/Pore fluid stiffness": k}))[-1])
+        / n_c_undrained(k) for k in stiffness]
+    checks.between("undrained footing: load over the closed form of its K_f", over[0],
+                   1.0, 1.15)
+    checks.between("  as before", over[0], 1.104, 1.114)
+    checks.between("  that with ten times K_f over it", over[1] / over[0], 0.99, 1.01)
+    checks.above("  the two closed forms over each other",
+                 n_c_undrained(stiffness[0]) / n_c_undrained(stiffness[1]), 1.03)
 
 
 def single_points(checks, work):
@@ -120,7 +172,10 @@ def main():
     parts = (coarse_slopes, single_points, walls)
     if "--long" in sys.argv:
         sys.argv.remove("--long")
-        parts = (slopes, footing, pile)
+        parts = (slopes, heads, footing, undrained_footing, pile)
+    elif "--footings" in sys.argv:
+        sys.argv.remove("--footings")
+        parts = (fine_footings,)
     work, _ = workspace_of_arguments()
     checks = Checks()
     with work:
