@@ -3,7 +3,7 @@
 """Figures, data and numbers of doc/verification/contact.md; runs the program.
 
     /usr/bin/python3 contrib/verification/contact.py [--waker build/bin/waker]
-        [--only block,toe]
+        [--only block,toe,toe_cells] [--cells 0.5,0.25]
 """
 
 import math
@@ -11,23 +11,10 @@ import math
 import numpy as np
 from common import plt, save
 from dyke_runs import draw_points, option, workspace, write_csv
-
-GRAVITY, TAN_SLOPE = 9.81, 0.5
-ALONG = np.array([2.0, -1.0]) / math.sqrt(5.0)
-BLOCK = "verification/block_on_slope.prm"
-FRICTION = "Walls/slope/Friction coefficient"
-
-
-def acceleration(mu):
-    cosine = 1.0 / math.hypot(1.0, TAN_SLOPE)
-    return GRAVITY * cosine * max(0.0, TAN_SLOPE - mu)
-
-
-def speed(run, times):
-    """Of the block's centre of mass down the slope (m/s)."""
-    momentum = np.array([run.value(f"Momentum {x} (kN s)", times)
-                         for x in "xy"])
-    return ALONG @ momentum / (20.0 * 2.0 / GRAVITY)
+from block_measures import (CASE, FRICTION, TAN_SLOPE, acceleration, fitted, speed,
+                            way)
+from toe_measures import (END, HELD, ON_GROUND, cells, cells_on_ground, fronts,
+                          profile)
 
 
 def block(work):
@@ -38,22 +25,16 @@ def block(work):
                 "friction_kJ", "remainder_kJ")}
     for mu, cell in ((0.0, 0.25), (0.3, 0.5), (0.3, 0.25), (0.3, 0.125),
                      (0.45, 0.25), (0.6, 0.25)):
-        run = work.run(f"block-{mu}-{cell}", BLOCK,
+        run = work.run(f"block-{mu}-{cell}", CASE,
                        {FRICTION: mu, "Grid/Cell size": cell,
                         "Time stepping/Time step": 0.02 * cell,
                         "Gravity/Initial stress":
                             "true" if mu > TAN_SLOPE else "false"})
-        start = run.points(0.0)
-        times, ways = [], []
-        for time, _ in run.frames():
-            moved = run.points(time)["position"] - start["position"]
-            times.append(time)
-            ways.append(float(np.average(moved[:, :2] @ ALONG,
-                                         weights=start["mass"])))
+        times = [time for time, _ in run.frames()]
+        ways = [way(run, time) for time in times]
         expected = [0.5 * acceleration(mu) * time**2 for time in times]
         speeds = speed(run, times)
-        later = np.arange(0.5, 2.0, 0.01)
-        slope = np.polyfit(later, speed(run, later), 1)
+        slope = fitted(run)
         friction = run.value("Friction on walls (kJ)", times)
         remainder = run.value("Energy remainder (kJ)", times)
         for row in zip(times, ways, expected, speeds, friction, remainder):
@@ -81,30 +62,21 @@ def block(work):
     write_csv("contact_block", columns)
 
 
-def profile(points, cell):
-    """Columns of half a cell: x, lowest and highest edge of the soil (m)."""
-    x, y = points["position"][:, 0], points["position"][:, 1]
-    edges = np.arange(15.0, 42.0, 0.5 * cell)
-    rows = []
-    for left, right in zip(edges[:-1], edges[1:]):
-        inside = (x >= left) & (x < right)
-        if inside.any():
-            rows.append((0.5 * (left + right),
-                         y[inside].min() - 0.25 * cell,
-                         y[inside].max() + 0.25 * cell))
-    return np.array(rows)
+def cells_on_rough(size):
+    """Of ground that sticks: the time step of held nodes."""
+    return {**cells_on_ground(size), **cells(size)}
 
 
-ON_GROUND = "verification/dyke_on_ground.prm"
 BASES = [
-    ("held at nodes", "chapter5/dyke_weak.prm", {}),
-    ("rough wall", ON_GROUND, {"Walls/ground/Type": "rough",
-                               "Walls/ground/Friction angle": 0,
-                               "Gravity/Tolerance": 1e-4,
-                               "Time stepping/Time step": 0.01}),
-    ("friction 30°", ON_GROUND, {}),
-    ("friction 20°", ON_GROUND, {"Walls/ground/Friction angle": 20}),
+    ("held at nodes", HELD, cells, {}),
+    ("rough wall", ON_GROUND, cells_on_rough,
+     {"Walls/ground/Type": "rough", "Walls/ground/Friction angle": 0,
+      "Gravity/Tolerance": 1e-4}),
+    ("friction 30°", ON_GROUND, cells_on_ground, {}),
+    ("friction 20°", ON_GROUND, cells_on_ground,
+     {"Walls/ground/Friction angle": 20}),
 ]
+WIDTH, HEIGHT = "Dyke width W (m)", "Dyke height H (m)"
 
 
 def first_time(run, column, limit):
@@ -114,47 +86,44 @@ def first_time(run, column, limit):
         else math.nan
 
 
+def toe_run(work, base, cell):
+    name, file, grid, settings = base
+    return work.run(f"{name}-{cell:g}".replace(" ", "-").replace("°", ""), file,
+                    {**END, **grid(cell), "Time stepping/End time": 9,
+                     "Output/Interval": 0.5, **settings})
+
+
 def toe(work):
     """The weak dyke on bases that hold it and on ground with friction: where
     its inner toe is, and how high above the ground (m)."""
-    cell, width = 0.25, "Dyke width W (m)"
+    cell = 0.25
     figure, panels = plt.subplots(len(BASES), 1, sharex=True,
                                   figsize=(7.5, 1.9 * len(BASES)))
     columns = {name: [] for name in
                ("base", "time_s", "front_m", "ground_front_m", "base_slip_m",
                 "crest_m", "width_below_10_m_s", "flooding_s")}
-    for (name, file, settings), axes in zip(BASES, panels):
-        run = work.run(name.replace(" ", "-").replace("°", ""), file,
-                       {"Stop rules/On flooding": "false",
-                        "Time stepping/End time": 9, "Output/Interval": 0.5,
-                        **settings})
+    for base, axes in zip(BASES, panels):
+        name, run = base[0], toe_run(work, base, cell)
         start = run.points(0.0)
         order = np.argsort(start["id"])
-        base = order[(start["position"][order, 1] < 0.3 * cell) &
-                     (np.abs(start["position"][order, 0] - 25.0) < 1.0)]
+        lowest = order[(start["position"][order, 1] < 0.3 * cell) &
+                       (np.abs(start["position"][order, 0] - 25.0) < 1.0)]
         for time, _ in run.frames():
             points = run.points(time)
-            rows = profile(points, cell)
             by_id = {k: i for i, k in enumerate(points["id"])}
             moved = [points["position"][by_id[start["id"][i]], 0] -
-                     start["position"][i, 0] for i in base]
+                     start["position"][i, 0] for i in lowest]
             for key, value in zip(columns, (
-                    name, time, rows[-1, 0] + 0.25 * cell - 30.0,
-                    rows[rows[:, 1] < 0.25 * cell][-1, 0] + 0.25 * cell - 30.0,
+                    name, time, *fronts(profile(points, cell), cell)[:2],
                     float(np.mean(moved)),
-                    float(run.value("Dyke height H (m)", [time])[0]),
-                    first_time(run, width, 10.0),
-                    first_time(run, width, 1e-9))):
+                    float(run.value(HEIGHT, [time])[0]),
+                    first_time(run, WIDTH, 10.0),
+                    first_time(run, WIDTH, 1e-9))):
                 columns[key].append(value)
-        print("| %s | %.2f s | %.2f s | %s | %.2f m | %.2f m |" % (
-            name, columns["width_below_10_m_s"][-1],
-            columns["flooding_s"][-1],
-            " | ".join("%.2f, %.2f, %.2f m" % tuple(
-                run_value for run_value in (
-                    columns[key][columns["base"].index(name) + k]
-                    for key in ("front_m", "ground_front_m", "base_slip_m")))
-                       for k in (6, 12, 18)),
-            columns["crest_m"][-1], profile(points, cell)[-1, 1]), flush=True)
+        first = columns["base"].index(name)
+        print("| %s | %s |" % (name, " | ".join(
+            "%.2f m" % columns["base_slip_m"][first + k] for k in (6, 12, 18))),
+              flush=True)
         draw_points(axes, points, points["plastic_strain"], cmap="viridis",
                     vmin=0.0, vmax=2.0)
         axes.axhline(0.0, color="k", linewidth=0.8)
@@ -166,12 +135,34 @@ def toe(work):
     write_csv("contact_toe", columns)
 
 
+def toe_cells(work, sizes):
+    """The same on cells of other sizes: the table."""
+    rows = []
+    for cell in sizes:
+        for base in BASES:
+            run = toe_run(work, base, cell)
+            at = [fronts(profile(run.points(time), cell), cell)
+                  for time in (3, 6, 9)]
+            rows.append((base[0], cell, first_time(run, WIDTH, 10.0),
+                         first_time(run, WIDTH, 1e-9), at[0][0], at[1][0],
+                         *at[2], float(run.value(HEIGHT, [9])[0])))
+            print("| %s | %g m | %.2f s | %.2f s | %.1f m | %.1f m | %.1f m | "
+                  "%.1f m | %.2f m | %.2f m |" % rows[-1], flush=True)
+    write_csv("contact_toe_cells", dict(zip(
+        ("base", "cell_m", "width_below_10_m_s", "flooding_s", "front_3_s_m",
+         "front_6_s_m", "front_9_s_m", "ground_front_9_s_m", "tip_9_s_m",
+         "crest_9_s_m"), zip(*rows))), digits=4)
+
+
 def main():
-    only = option("--only", "block,toe").split(",")
+    only = option("--only", "block,toe,toe_cells").split(",")
+    sizes = [float(c) for c in option("--cells", "0.5,0.25").split(",")]
     with workspace(__doc__) as work:
         for study in (block, toe):
             if study.__name__ in only:
                 study(work)
+        if "toe_cells" in only:
+            toe_cells(work, sizes)
 
 
 if __name__ == "__main__":

@@ -3,46 +3,24 @@
 """Numbers, data and figure of the columns of sand in doc/verification/mohr_coulomb.md;
 runs the program.
 
-    /usr/bin/python3 contrib/verification/granular_columns.py [--cells 0.01,0.005]
+    /usr/bin/python3 contrib/verification/granular_columns.py [--cells 0.01,0.005,0.0025]
         [--results FOLDER] [--waker build/bin/waker]
 
-A column takes some seconds on cells of 10 mm, 5 to 25 s on cells of 5 mm.
+A column takes some seconds on cells of 10 mm, 10 to 30 s on cells of 5 mm, and one to
+five minutes on cells of 2.5 mm.
 With --results, the runs that are in the folder are read, and none is made: columns
 that are not there are left out.
 """
 
 import os
 
-import numpy as np
 from common import plt, save
 from dyke_runs import draw_points, option, workspace, write_csv
+from column_measures import ANGLE, CASE, LAWS, WIDTH, front, profile, settings
 from waker_case import Run
 
-CASE = "verification/sand_column.prm"
-WIDTH = 0.1  # m, L
-# (L' - L)/L over a, of plane columns: Lube et al. (sand), Lajeunesse et al. (beads).
-LAWS = {31.0: 1.2, 22.0: 1.8}
 RATIOS = (0.5, 1.0, 2.0)  # a
-
-
-def profile(run, width=WIDTH / 10):
-    """Places, and the mean height of the soil (m) in strips around them."""
-    points = run.points()
-    edges = np.arange(0, 0.6 + width / 2, width)
-    volume, _ = np.histogram(points["position"][:, 0], edges,
-                             weights=points["volume"])
-    return (edges[1:] + edges[:-1]) / 2, volume / width
-
-
-def front(run, height):
-    """How far (m) the soil reaches with this height, without a gap; NaN: to the end
-    of the box."""
-    x, h = profile(run)
-    lower = np.nonzero(h < height)[0]
-    if len(lower) == 0:
-        return float("nan")
-    end = lower[0]
-    return float(np.interp(height, [h[end], h[end - 1]], [x[end], x[end - 1]]))
+HEIGHTS = (0.01, 0.005, 0.0025)  # m, of what counts as the front
 
 
 def columns(work, cells, results):
@@ -52,33 +30,29 @@ def columns(work, cells, results):
             for ratio in RATIOS:
                 name = f"{cell:g}-{angle:g}-{ratio:g}"
                 folder = os.path.join(results, name)
-                height = ratio * WIDTH
                 if results and not os.path.exists(os.path.join(folder, "summary.json")):
                     continue
                 if results:
                     run = Run(folder)
                 else:
-                    run = work.run(name, CASE, {
-                        "Grid/Cell size": cell, "Time stepping/Time step": 0.05 * cell,
-                        "Materials/sand/Friction angle": angle,
-                        "Soil profile/pile/Polygon":
-                            f"0, 0; 0.1, 0; 0.1, {height:g}; 0, {height:g}"})
+                    run = work.run(name, CASE,
+                                   {**settings(ratio, cell), ANGLE: angle})
                 if runs.get((angle, ratio), (1, None))[0] > cell:
                     runs[angle, ratio] = cell, run
-                out = [(front(run, h) / WIDTH - 1) / ratio for h in (0.005, 0.0025)]
+                out = [(front(run, h) / WIDTH - 1) / ratio for h in HEIGHTS]
                 kept = profile(run)[1][0] / WIDTH
                 rows.append((angle, ratio, cell, *out, LAWS[angle], kept))
-                print("| %g° | %g | %g mm | %.2f a | %.2f a | %.1f a | %.2f L |"
+                print("| %g° | %g | %g mm | %.2f a | %.2f a | %.2f a | %.1f a | %.2f L |"
                       % (angle, ratio, 1e3 * cell, *rows[-1][3:]), flush=True)
     write_csv("mohr_coulomb_columns",
-              dict(zip(("angle", "ratio", "cell_m", "run_out_5_mm_over_a",
-                        "run_out_2.5_mm_over_a", "law_over_a", "height_over_width"),
+              dict(zip(("angle", "ratio", "cell_m", "run_out_10_mm_over_a",
+                        "run_out_5_mm_over_a", "run_out_2.5_mm_over_a", "law_over_a", "height_over_width"),
                        zip(*rows))), digits=4)
     return runs
 
 
 def main():
-    cells = [float(cell) for cell in option("--cells", "0.01,0.005").split(",")]
+    cells = [float(cell) for cell in option("--cells", "0.01,0.005,0.0025").split(",")]
     results = option("--results", "")
     with workspace(__doc__) as work:
         runs = columns(work, cells, results)
@@ -93,7 +67,7 @@ def main():
                 axes.plot([reach, reach], [0, 0.04], color="C3")
                 axes.plot([0, WIDTH, WIDTH], [ratio * WIDTH] * 2 + [0], "k:",
                           linewidth=0.8)
-                axes.set_xlim(0, 0.5)
+                axes.set_xlim(0, 0.7)
                 axes.set_ylim(0, 0.21 if ratio == 2 else 0.11)
                 axes.set_ylabel(f"a = {ratio:g}\ny (m)")
                 axes.text(0.35, 0.06, f"h = {1e3 * cell:g} mm")
