@@ -3,10 +3,12 @@
 """Figures, data and numbers of doc/verification/mohr_coulomb.md; runs the program.
 
     /usr/bin/python3 contrib/verification/mohr_coulomb.py [--waker build/bin/waker]
-        [--only slopes|footing|pile] [--cells 0.125,0.0625]
+        [--only slopes|footing|pile] [--cells 0.125,0.0625] [--results FOLDER]
 
 --cells are those of the footing: 0.0625 m takes some minutes each; rows of
-other cells stay in doc/verification/data/mohr_coulomb_footing.csv.
+other cells stay in doc/verification/data/mohr_coulomb_footing.csv. With --results the
+piles that are in the folder are read, and none is made; they take half a minute, on cells
+of 2.5 mm and on the ground some ten minutes.
 """
 
 import csv
@@ -17,6 +19,7 @@ import numpy as np
 from common import DATA, plt, save
 from dyke_runs import draw_points, option, workspace, write_csv
 import friction_measures as measures
+from waker_case import Run
 
 SLOPES = (  # case, published factor, cell (m), dilatancy
     ("slope_friction", 1.4, 0.5, "0"),
@@ -85,47 +88,71 @@ def footing(work, cells):
     save(figure, "mohr_coulomb_footing")
 
 
-def pile(work):
-    figure, panels = plt.subplots(2, 1, figsize=(7.0, 4.4), sharex=True)
-    rows = []
-    for axes, angle in zip(panels, (19.8, 30.0)):
-        run = work.run(f"pile-{angle}", measures.COLUMN,
-                       {"Materials/bars/Friction angle": angle})
+PILES = (  # angle, cell (m), case
+    (19.8, 0.005, measures.COLUMN), (30.0, 0.005, measures.COLUMN),
+    (19.8, 0.0025, measures.COLUMN), (19.8, 0.005, measures.COLUMN_ON_GROUND))
+# Of the front (m): the last that was measured, and a cell of 5 mm, where a trail of one
+# point no longer counts.
+FRONTS = (0.0015, 0.005)
+
+
+def pile_on(axes, run, label):
+    points = run.points()
+    draw_points(axes, points, points["plastic_strain"], cmap="viridis",
+                vmin=0.0, vmax=2.0)
+    axes.plot(*measures.MEASURED.T, "o-", color="C3", markersize=4,
+              label="measured, 19.8°")
+    axes.set_ylabel(f"{label}\ny (m)")
+    axes.set_xlim(0.0, 0.6)
+    axes.set_ylim(0.0, 0.11)
+
+
+def pile(work, results):
+    figure, panels = plt.subplots(3, 1, figsize=(7.0, 6.4), sharex=True)
+    rows, columns = [], {"x_m": measures.MEASURED[:, 0],
+                         "measured_m": measures.MEASURED[:, 1]}
+    for number, (angle, cell, case) in enumerate(PILES):
+        base = "held" if case == measures.COLUMN else "ground"
+        name = f"pile-{angle}-{cell:g}-{base}"
+        folder = os.path.join(results, name)
+        if results and not os.path.exists(os.path.join(folder, "summary.json")):
+            continue
+        run = Run(folder) if results else work.run(
+            name, case, {"Materials/bars/Friction angle": angle,
+                         "Grid/Cell size": cell,
+                         "Time stepping/Time step": 0.05 * cell})
         heights = measures.heights(run)
         off = heights - measures.MEASURED[:, 1]
-        rms = float(np.sqrt((off**2).mean()))
-        front = measures.front(run)
-        rows.append((angle, 1e3 * rms, front, front / 0.442 - 1.0))
-        print("| %g° | %.1f mm | %.3f m | %+.1f %% |"
-              % (angle, 1e3 * rms, front, 100 * rows[-1][3]), flush=True)
-        points = run.points()
-        draw_points(axes, points, points["plastic_strain"], cmap="viridis",
-                    vmin=0.0, vmax=2.0)
-        axes.plot(*measures.MEASURED.T, "o-", color="C3", markersize=4,
-                  label="measured, 19.8°")
-        axes.set_ylabel(f"φ = {angle:g}°\ny (m)")
-        axes.set_xlim(0.0, 0.6)
-        axes.set_ylim(0.0, 0.11)
-        if angle == 19.8:
-            axes.legend()
-            write_csv("mohr_coulomb_pile",
-                      {"x_m": measures.MEASURED[:, 0],
-                       "measured_m": measures.MEASURED[:, 1],
-                       "computed_m": heights})
-    panels[1].set_xlabel("x (m)")
+        over = [measures.front(run, h) / measures.measured_front(h) - 1.0
+                for h in FRONTS]
+        rows.append((angle, base, cell, 1e3 * float(np.sqrt((off**2).mean())),
+                     measures.front(run, FRONTS[0]), *over))
+        print("| %g° | %s | %g m | %.1f mm | %.3f m | %+.1f %% | %+.1f %% |"
+              % (*rows[-1][:5], *(100 * o for o in over)), flush=True)
+        if base == "held":
+            label = f"φ = {angle:g}°, h = {1e3 * cell:g} mm"
+            pile_on(panels[number], run, label)
+            columns[label.replace(" ", "")] = heights
+    write_csv("mohr_coulomb_pile", columns)
+    write_csv("mohr_coulomb_pile_fronts", dict(zip(
+        ("angle", "base", "cell_m", "rms_mm", "front_m", "front_1.5_mm_over",
+         "front_5_mm_over"), zip(*rows))), digits=4)
+    panels[0].legend()
+    panels[-1].set_xlabel("x (m)")
     save(figure, "mohr_coulomb_pile")
 
 
 def main():
     only = option("--only", "slopes,footing,pile").split(",")
     cells = [float(c) for c in option("--cells", "0.125,0.0625").split(",")]
+    results = option("--results", "")
     with workspace(__doc__) as work:
         if "slopes" in only:
             slopes(work)
         if "footing" in only:
             footing(work, cells)
         if "pile" in only:
-            pile(work)
+            pile(work, results)
 
 
 if __name__ == "__main__":

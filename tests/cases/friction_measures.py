@@ -9,12 +9,15 @@ import math
 import numpy as np
 
 SLOPE = "verification/slope_friction.prm"
+SOFTENING = "verification/slope_softening.prm"
+SUCTION = "verification/slope_suction.prm"
 DRAWDOWN = "verification/slope_drawdown.prm"
 ACADS = "verification/slope_acads.prm"
 HEAD_LINES = "verification/dyke_head_lines.prm"
 FOOTING = "verification/strip_footing_friction.prm"
 UNDRAINED = "verification/strip_footing_undrained.prm"
 COLUMN = "verification/granular_column.prm"
+COLUMN_ON_GROUND = "verification/granular_column_on_ground.prm"
 SOIL = "Materials/soil/"
 COHESION, HALF_WIDTH, RATE = 10.0, 0.5, 0.0005  # kPa, m, m per s
 
@@ -70,6 +73,11 @@ def front(run, height=0.0015, width=0.008):
     end = np.nonzero(there / width < height)[0][0]
     return float(np.interp(height, [there[end] / width, there[end - 1] / width],
                            [middle[end], middle[end - 1]]))
+
+
+def measured_front(height):
+    """The same of the experiment."""
+    return float(np.interp(-height, -MEASURED[:, 1], MEASURED[:, 0]))
 
 
 # Case, and how fast the wall moves into the soil (m per s).

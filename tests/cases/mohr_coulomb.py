@@ -12,8 +12,9 @@ import sys
 
 import numpy as np
 from friction_measures import (ACADS, COLUMN, DRAWDOWN, FOOTING, HALF_WIDTH,
-                               HEAD_LINES, MEASURED, SLOPE, UNDRAINED, WALLS, front,
-                               heights, load, n_c, n_c_undrained, rankine, wall_force)
+                               HEAD_LINES, MEASURED, SLOPE, SOFTENING, SUCTION,
+                               UNDRAINED, WALLS, front, heights, load, n_c,
+                               n_c_undrained, rankine, wall_force)
 from waker_case import Checks, workspace_of_arguments
 
 COARSE = {"Grid/Cell size": 1, "Time stepping/Time step": 0.02}
@@ -99,6 +100,30 @@ def heads(checks, work):
                    0.82, 0.9)
 
 
+def softening_and_suction(checks, work):
+    """Coarse: each between what it must lie between."""
+    def factor(case, low, high, more):
+        return work.factor_of_safety("coarse", case, {
+            **COARSE, **bracket(low, high), **more})["factor_of_safety"]
+
+    soft = factor(SOFTENING, 1.2, 1.5, {})
+    checks.between("slope that softens: factor of safety, as before", soft, 1.32, 1.35)
+    checks.below("  over that of the peak strength",
+                 soft / factor(SLOPE, 1.3, 1.6, {}), 0.95)
+    checks.above("  over that of the residual strength", soft / factor(SLOPE, 0.8, 1.1, {
+        "Materials/soil/Cohesion": 5, "Materials/soil/Friction angle": 16}), 1.2)
+    # Suction all over is a cohesion of s tan(phi); within the width of two brackets.
+    dry = {"Pore water/Phreatic line": "", "Pore water/Largest suction": 0}
+    suction = factor(SUCTION, 1.1, 1.4, {})
+    checks.between("slope with suction: factor less that with the cohesion it is worth",
+                   suction - factor(SUCTION, 1.1, 1.4, {
+                       **dry, "Materials/soil/Cohesion": 3 + 10 * np.tan(np.radians(19.6))}),
+                   -0.02, 0.02)
+    # The control: without suction.
+    checks.above("  over that without suction",
+                 suction / factor(SUCTION, 0.8, 1.2, dry), 1.15)
+
+
 def footing(checks, work):
     run = work.run("footing", FOOTING, {"Time stepping/Time step": 2,
                                         "Material points/Points per direction": 2})
@@ -172,7 +197,8 @@ def main():
     parts = (coarse_slopes, single_points, walls)
     if "--long" in sys.argv:
         sys.argv.remove("--long")
-        parts = (slopes, heads, footing, undrained_footing, pile)
+        parts = (slopes, heads, softening_and_suction, footing, undrained_footing,
+                 pile)
     elif "--footings" in sys.argv:
         sys.argv.remove("--footings")
         parts = (fine_footings,)
