@@ -17,7 +17,8 @@ import tempfile
 import time
 
 import numpy as np
-import ranks
+import ranks_cases
+import ranks_compare
 from campaign_case import Campaign, Checks, finish
 
 N = 6  # of more than one outcome
@@ -148,15 +149,15 @@ def snapshots_are_whole(make, check):
                 "Time stepping/Time step": 0.02, "Time stepping/End time": 0.2,
                 "Time stepping/Ramp duration": 0, "Output/Interval": 0.2,
                 "Materials/clay/Initial strength": 7,  # yields at once
-                **dict(text.split("=") for text in ranks.tight)}
+                **dict(text.split("=") for text in ranks_cases.tight)}
     one, two = make("whole-1", set=settings), make("whole-2", set=settings)
     one.run()
     two.run(ranks=2, set=TWO)
     places = [os.path.join(campaign.folder, "snapshots", "0-0")
               for campaign in (one, two)]
-    moves = np.abs(ranks.last_points(places[1])["velocity"]).max()
+    moves = np.abs(ranks_compare.last_points(places[1])["velocity"]).max()
     check(moves > 1e-6, "a snapshot moves", moves)
-    d, where = ranks.compare(*places)
+    d, where = ranks_compare.compare_output(*places)
     check(d < 1e-10, "a snapshot is whole", f"{d:.1e} ({where})")
 
 
@@ -195,7 +196,7 @@ def once_for_all(waker, work, check):
     """What only the first rank could do, or all would repeat."""
     def call(*words, text=""):
         return subprocess.run(["mpirun", "-n", "2", waker, *words], input=text,
-                              env=ranks.ENVIRONMENT, capture_output=True,
+                              env=ranks_compare.ENVIRONMENT, capture_output=True,
                               text=True, timeout=60)
     done = call("run", "-", "--set", "Output/Directory=" + os.path.join(work, "-"),
                 text="set Dimension = 2\n")
