@@ -56,7 +56,7 @@ def main():
     results = option("--results", "")
     with workspace(__doc__) as work:
         runs = columns(work, cells, results)
-        figure, panels = plt.subplots(3, 2, figsize=(8.0, 4.6), sharex=True)
+        figure, panels = plt.subplots(3, 2, figsize=(9.5, 5.0), sharex=True)
         for column, angle in enumerate(LAWS):
             for axes, ratio in zip(panels[:, column], RATIOS):
                 cell, run = runs[angle, ratio]

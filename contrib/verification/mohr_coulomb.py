@@ -130,9 +130,8 @@ def pile(work, results):
         print("| %g° | %s | %g m | %.1f mm | %.3f m | %+.1f %% | %+.1f %% |"
               % (*rows[-1][:5], *(100 * o for o in over)), flush=True)
         if base == "held":
-            label = f"φ = {angle:g}°, h = {1e3 * cell:g} mm"
-            pile_on(panels[number], run, label)
-            columns[label.replace(" ", "")] = heights
+            pile_on(panels[number], run, f"{angle:g}°, {1e3 * cell:g} mm")
+            columns[f"computed_{angle:g}_degrees_{1e3 * cell:g}_mm_cells_m"] = heights
     write_csv("mohr_coulomb_pile", columns)
     write_csv("mohr_coulomb_pile_fronts", dict(zip(
         ("angle", "base", "cell_m", "rms_mm", "front_m", "front_1.5_mm_over",
