@@ -11,10 +11,13 @@ User time of whole runs less that of runs of one step: medians of the rounds. So
 ten minutes on an idle core.
 """
 
+import os
 import resource
+import subprocess
 
 import numpy as np
 from dyke_runs import option, workspace, write_csv
+from waker_case import Run
 
 PLANE, SPACE = "chapter5/dyke_weak.prm", "chapter6/slope.prm"
 CONTOUR = {"Surface/Method": "contour"}
@@ -55,9 +58,18 @@ CASES = {
 
 
 def cpu(work, name, file, settings):
+    """User time of a run (s), and its folder. A process of its own: those of the fork
+    server, which the tests use, are not counted."""
+    folder = os.path.join(work.folder, name)
+    words = [work.waker, "run", os.path.join(work.source, "parameters", file),
+             "--overwrite"]
+    for key, value in {**work.quiet, **settings, **work.settings,
+                       "Output/Directory": folder}.items():
+        words += ["--set", f"{key}={value}"]
     before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-    run = work.run(name, file, settings)
-    return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before, run
+    subprocess.run(words, stdout=subprocess.DEVNULL, check=True,
+                   env=dict(os.environ, OMP_NUM_THREADS="1"))
+    return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before, Run(folder)
 
 
 def main():

@@ -128,7 +128,9 @@ def append(name, n_keys, row):
     rows = []
     if os.path.exists(os.path.join(DATA, name + ".csv")):
         old = read_csv(name)
-        rows = [list(values) for values in zip(*(old[c] for c in columns))]
+        n = len(next(iter(old.values())))
+        rows = [list(values) for values in
+                zip(*(old.get(c, [float("nan")] * n) for c in columns))]
     new = list(row.values())
     rows = sorted([r for r in rows if r[:n_keys] != new[:n_keys]] + [new])
     write_csv(name, {c: [r[k] for r in rows] for k, c in enumerate(columns)})
@@ -158,7 +160,7 @@ LIMITS = (1.0, 1.02, 1.05, 1.1, 1.2, 1.5, 100.)
 
 
 def imbalance(waker):
-    """The slope with a sixth of its strength flows out of the parts it began in; a
+    """The slope with a fifth of its strength flows out of the parts it began in; a
     block flies from one rank's part to the other's."""
     for cell, n_steps in ((0.25, 300), (0.125, 120)):
         for limit in LIMITS:

@@ -154,6 +154,17 @@ cases = {
                        ["Load programmes/foundation/Mass=with mass",
                         "Load programmes/foundation/Start time=0"], 0.01,
                        (2, 3, 4)),
+    # Laws and waters in the ground.
+    "shansep": Case("verification/dyke_shansep.prm", [], 0.02, (2, 3)),
+    "stages": Case("verification/dyke_stages.prm", tighter, 0.02, (2, 3)),
+    "head lines": Case("verification/dyke_head_lines.prm", tighter, 0.02, (2, 3)),
+    "delay": Case("verification/dyke_delay.prm", [], 0.02, (2, 3)),
+    "traffic": Case("verification/dyke_traffic.prm", [], 0.02, (2, 3)),
+    "cam clay": Case("verification/cam_clay_footing.prm", [], 0.5, (2, 3)),
+    "water in pores": Case("verification/strip_footing_undrained.prm", [], 0.05, (2, 3)),
+    "k0": Case("verification/level_ground_k0.prm", [], 0.02, (2, 3)),
+    "softening friction": Case("verification/slope_softening.prm", [], 0.02, (2, 3)),
+    "storm": Case("verification/dyke_storm.prm", [], 60, (2, 3)),
     # Dealt out anew twice.
     "flying block": Case(FLYING, [], 0.008, (4,), 60),
     # Not dealt out anew: it leaves ranks empty.

@@ -317,8 +317,8 @@ namespace case_initial_stress
       else
         Case<3>(*input, MPI_COMM_SELF);
     };
-    // Tension everywhere, of sand; shear beyond friction, of the points that
-    // have it; of clay.
+    // Tension everywhere, of sand; in the plane; pressure along x beyond the
+    // passive one, of those points that have it.
     const std::string no_cohesion = "Materials/soil/Cohesion=0";
     expect_refused(
       [&]() {
@@ -330,14 +330,39 @@ namespace case_initial_stress
       [&]() { made("simple_shear.prm", "10; 10; 10; 0", no_cohesion); },
       stress,
       "17.32 kPa outside");
-    expect_refused(
-      [&]() {
-        made("triaxial_compression.prm",
-             "-100; -100 - 900*x; -100; 0; 0; 0",
-             no_cohesion);
-      },
-      stress,
-      "such points of the layer's");
+    const auto input =
+      read_parameters(verification + "triaxial_compression.prm",
+                      {stress + "=-100 - 400*x; -100; -100; 0; 0; 0",
+                       no_cohesion});
+    std::size_t n_beyond = 0, n_points = 0;
+    {
+      auto borne                     = *input;
+      borne.layers[0].initial_stress = "-100; -100; -100; 0; 0; 0";
+      const Case<3> the_case(borne, MPI_COMM_SELF);
+      n_points = the_case.initial_points.n_points();
+      for (const Point<3> &x : the_case.initial_points.position)
+        n_beyond += 100. + 400. * x[0] > 300.; // tan^2(60 degrees)
+    }
+    EXPECT_GT(n_beyond, 0u);
+    EXPECT_LT(n_beyond, n_points);
+    expect_refused([&]() { Case<3>(*input, MPI_COMM_SELF); },
+                   stress,
+                   "the worst of " + std::to_string(n_beyond) +
+                     " such points of the layer's " + std::to_string(n_points));
+    // Clay, in total stress.
+    const std::string layer = "Soil profile/layer/Initial stress";
+    for (const auto &[shear, is_borne] :
+         std::vector<std::pair<std::string, bool>>{{"7", true}, {"12", false}})
+      {
+        const auto clay =
+          read_parameters(verification + "sheared_layer.prm",
+                          {layer + "=-500; -500; -500; " + shear});
+        const auto make = [&]() { Case<2>(*clay, MPI_COMM_SELF); };
+        if (is_borne)
+          EXPECT_NO_THROW(make());
+        else
+          expect_refused(make, layer, "is -500; -500; -500; 12 kPa");
+      }
     // Borne: none at all, of sand at its apex; pressure; to the limit.
     for (const char *const given :
          {"0; 0; 0; 0; 0; 0", "-10; -10; -10; 0; 0; 0", "-30; -10; -20; 0;0;0"})

@@ -52,7 +52,8 @@ namespace Waker
                 const std::vector<double>   &variables,
                 const SymmetricTensor<2, 3> &stress);
 
-  /// Is it there to round-off only?
+  /// Does a law bear this stress? Then a return without a strain leaves it as
+  /// it is, to round-off.
   bool
   is_borne(const Material              &law,
            const std::vector<double>   &variables,
