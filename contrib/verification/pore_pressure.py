@@ -12,7 +12,7 @@ import os
 import numpy as np
 from common import ROOT, plt, save
 from dyke_runs import Workspace, write_csv
-from friction_measures import HALF_WIDTH, load
+from friction_measures import load, n_c_undrained
 
 HEADS = "verification/dyke_head_lines.prm"
 DELAY = "verification/dyke_delay.prm"
@@ -112,27 +112,40 @@ def traffic(work):
 
 
 def undrained(work):
-    """Load over settlement of the footing, beside (2 + pi) c cos phi."""
+    """Load over settlement of the footing, beside the closed forms: of soil that keeps
+    its volume, (2 + pi) c cos phi, and of this stiffness of the water."""
     figure, axes = plt.subplots()
     limit = (2 + np.pi) * np.cos(np.radians(20.0))
     rows = []
-    for h in (0.125, 0.0625):
-        over = load(work.run(f"undrained-{h}", UNDRAINED,
-                             {"Grid/Cell size": h, "Output/Interval": 0}))
-        ratio = float(over[-1]) / limit
-        rows.append((h, float(over[-1]), ratio,
-                     ratio / (1 + 0.5 * h / HALF_WIDTH)))
-        print("| %g m | %.2f c | %.3f | %.3f |" % rows[-1], flush=True)
-        axes.plot(0.5 * np.arange(1, len(over) + 1), over, label=f"h = {h:g} m")
+    for h, points, stiffness in (
+            (0.25, 1, 2e6), (0.25, 1, 2e7), (0.25, 2, 2e6), (0.125, 1, 2e6),
+            (0.125, 1, 2e7), (0.125, 2, 2e6), (0.0625, 1, 2e6)):
+        run = work.run(f"undrained-{h}-{points}-{stiffness:g}", UNDRAINED, {
+            "Grid/Cell size": h, "Output/Interval": 0,
+            "Material points/Points per direction": points,
+            "Materials/soil/Pore fluid stiffness": stiffness})
+        over = load(run)
+        rows.append((h, points**2, stiffness, float(over[-1]),
+                     float(over[-1]) / limit - 1,
+                     float(over[-1]) / n_c_undrained(stiffness) - 1,
+                     run["unconverged_steps"], len(over)))
+        print("| %g m | %g | %g | %.2f c | %+.3f | %+.3f | %d | %d |" % rows[-1],
+              flush=True)
+        if stiffness == 2e6:
+            axes.plot(0.5 * run.statistics["Time (s)"][1:], over,
+                      "-" if points == 1 else "--",
+                      label=f"h = {h:g} m, {points**2} a cell")
+        write_csv("pore_pressure_footing", dict(zip(
+            ("cell_m", "points_a_cell", "pore_fluid_stiffness_kPa", "load_over_c",
+             "above_incompressible", "above_closed_form", "halvings", "steps"),
+            zip(*rows))))
     axes.axhline(limit, color="k", linestyle="--",
                  label=r"$(2 + \pi)\,\cos\varphi$")
+    axes.axhline(n_c_undrained(2e6), color="k", linestyle=":", label="with K_f")
     axes.set_xlabel("settlement (mm)")
     axes.set_ylabel("load over c")
-    axes.legend()
+    axes.legend(fontsize=7)
     save(figure, "pore_pressure_footing")
-    write_csv("pore_pressure_footing",
-              dict(zip(("cell_m", "load_over_c", "over_closed_form",
-                        "half_a_cell_wider"), zip(*rows))))
 
 
 def main():
