@@ -13,7 +13,7 @@ import block_measures as block
 import toe_measures as toe
 from waker_case import Checks, workspace_of_arguments
 
-SIZE = 0.5  # m
+SIZE = 0.25  # m
 
 
 def blocks(checks, work):
@@ -40,14 +40,23 @@ def blocks(checks, work):
 
 
 def toes(checks, work):
-    tips = {}
-    for name, file, cells, more in (
-            ("held", toe.HELD, toe.cells, {}),
-            ("friction", toe.ON_GROUND, toe.cells_on_ground, {})):
-        run = work.run(name, file, {**cells(SIZE), **toe.END, **more,
-                                    "Time stepping/End time": 7})
-        tips[name] = toe.fronts(toe.profile(run.points(), SIZE), SIZE)
-    print(tips)
+    # On cells of 0.5 m single points decide how high a tip is.
+    end = {**toe.END, "Time stepping/End time": 7}
+    ends = {}
+    for name, file, cells in (
+            ("held nodes", toe.HELD, toe.cells),
+            ("ground with friction", toe.ON_GROUND, toe.cells_on_ground)):
+        run = work.run(name.replace(" ", "-"), file, {**cells(SIZE), **end})
+        ends[name] = toe.fronts(toe.profile(run.points(), SIZE), SIZE)
+        checks.above(f"toe on {name}: how far it slides out (m)", ends[name][0], 3)
+    front, on_ground, tip = ends["ground with friction"]
+    checks.below("  its tip above the ground (m)", tip, 0.02)
+    checks.below("  beyond what lies on the ground (m)", front - on_ground, 0.01)
+    # The control: nodes hold what is on them, and the rest rolls over that.
+    front, on_ground, tip = ends["held nodes"]
+    checks.above("  held nodes: its tip above the ground (m)", tip, 0.1)
+    checks.above("  held nodes: beyond what lies on the ground (m)",
+                 front - on_ground, 1)
 
 
 def main():

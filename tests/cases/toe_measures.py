@@ -14,7 +14,7 @@ END = {"Stop rules/On flooding": "false"}
 
 
 def cells(size):
-    """Of held nodes: on cells of this size (m) as much work in a band."""
+    """Of held nodes, with as much work in a band on cells of any size (m)."""
     return {"Grid/Cell size": size, "Time stepping/Time step": 0.04 * size,
             "Materials/clay/Softening length": 0.25}
 
