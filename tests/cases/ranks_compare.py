@@ -201,9 +201,10 @@ def compare(one, many):
             d *= np.abs(p[name]).max() / max(np.abs(p[name]).max(),
                                              np.abs(p["velocity"]).max() / step)
         worst = max(worst, (d, "points' " + name))
-    # On the scale of the way that points have gone, not of the grid.
+    # On the scale of the way that points have gone, not of the grid, if round-off of
+    # the place is less than 1e-10 of it.
     way = np.abs(p["position"] - p["initial position"]).max()
-    if way > 1e-6:
+    if 1e-10 * way > 4. * np.finfo(float).eps * np.abs(p["position"]).max():
         d = np.abs(p["position"] - q["position"]).max() / way
         worst = max(worst, (d, "way of points"))
     return worst
