@@ -118,12 +118,16 @@ def state(folder, n):
     return arrays
 
 
+def largest(a, b):
+    """Largest difference; infinite if there is no number in one of them only."""
+    same = (a == b) | (np.isnan(a) & np.isnan(b))
+    d = np.where(same, 0., np.abs(a - b))
+    return np.max(np.where(np.isnan(d), np.inf, d), initial=0.)
+
+
 def difference(a, b):
-    if a.shape != b.shape:
-        return np.inf
-    d = np.abs(a.astype(float) - b.astype(float)).max(initial=0.)
-    scale = np.abs(a).max(initial=0.)
-    return d / scale if scale > 0. else d
+    scale = np.nanmax(np.abs(a), initial=0.)
+    return largest(a, b) / (scale if scale > 0. else 1.)
 
 
 def compare_statistics(one, many):
@@ -171,7 +175,7 @@ def compare_files(one, many):
     for name in p:
         d = difference(p[name], q[name])
         if name.startswith("stress") and stress > 0.:
-            d = np.abs(p[name] - q[name]).max() / stress
+            d = largest(p[name], q[name]) / stress
         worst = max(worst, (d, "field " + name))
     return worst
 
@@ -205,6 +209,6 @@ def compare(one, many):
     # the place is less than 1e-10 of it.
     way = np.abs(p["position"] - p["initial position"]).max()
     if 1e-10 * way > 4. * np.finfo(float).eps * np.abs(p["position"]).max():
-        d = np.abs(p["position"] - q["position"]).max() / way
+        d = largest(p["position"], q["position"]) / way
         worst = max(worst, (d, "way of points"))
     return worst
