@@ -120,13 +120,16 @@ def state(folder, n):
 
 def largest(a, b):
     """Largest difference; infinite if there is no number in one of them only."""
+    if a.shape != b.shape:
+        return np.inf
+    a, b = a.astype(float), b.astype(float)
     same = (a == b) | (np.isnan(a) & np.isnan(b))
     d = np.where(same, 0., np.abs(a - b))
     return np.max(np.where(np.isnan(d), np.inf, d), initial=0.)
 
 
 def difference(a, b):
-    scale = np.nanmax(np.abs(a), initial=0.)
+    scale = np.nanmax(np.abs(a.astype(float)), initial=0.)
     return largest(a, b) / (scale if scale > 0. else 1.)
 
 
