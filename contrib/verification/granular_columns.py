@@ -20,7 +20,7 @@ from column_measures import ANGLE, CASE, LAWS, WIDTH, front, profile, settings
 from waker_case import Run
 
 RATIOS = (0.5, 1.0, 2.0)  # a
-HEIGHTS = (0.01, 0.005, 0.0025)  # m, of what counts as the front
+HEIGHTS = (0.02, 0.01, 0.005, 0.0025)  # m, of what counts as the front
 
 
 def columns(work, cells, results):
@@ -42,10 +42,11 @@ def columns(work, cells, results):
                 out = [(front(run, h) / WIDTH - 1) / ratio for h in HEIGHTS]
                 kept = profile(run)[1][0] / WIDTH
                 rows.append((angle, ratio, cell, *out, LAWS[angle], kept))
-                print("| %g° | %g | %g mm | %.2f a | %.2f a | %.2f a | %.1f a | %.2f L |"
+                print("| %g° | %g | %g mm | %.2f a | %.2f a | %.2f a | %.2f a | %.1f a | %.2f L |"
                       % (angle, ratio, 1e3 * cell, *rows[-1][3:]), flush=True)
     write_csv("mohr_coulomb_columns",
-              dict(zip(("angle", "ratio", "cell_m", "run_out_10_mm_over_a",
+              dict(zip(("angle", "ratio", "cell_m", "run_out_20_mm_over_a",
+                        "run_out_10_mm_over_a",
                         "run_out_5_mm_over_a", "run_out_2.5_mm_over_a", "law_over_a", "height_over_width"),
                        zip(*rows))), digits=4)
     return runs
