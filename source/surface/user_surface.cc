@@ -205,6 +205,7 @@ namespace Waker
               const typename BackgroundGrid<dim>::Index &cell,
               const Point<dim>                          &x,
               const std::vector<double>                 &mass,
+              const double                               least_mass,
               const double *const                        u)
     {
       const auto motion_of = [&](const unsigned int node) {
@@ -229,7 +230,7 @@ namespace Waker
               N *= upper ? xi : 1. - xi;
             }
           const unsigned int i = grid.node(index);
-          if (!(mass[i] > 0.))
+          if (!(mass[i] > least_mass))
             continue;
           sum += N;
           motion += N * motion_of(i);
@@ -238,7 +239,7 @@ namespace Waker
       if (sum > 1e-9)
         return motion / sum;
 
-      // The closest node with mass around.
+      // The closest node around that counts.
       constexpr int      reach = carrying_reach - 1, width = 2 * reach + 2;
       double             closest  = std::numeric_limits<double>::max();
       unsigned int       best     = 0;
@@ -256,7 +257,7 @@ namespace Waker
                 inside && index[d] >= 0 &&
                 index[d] < static_cast<int>(grid.n_nodes_per_direction()[d]);
             }
-          if (!inside || !(mass[grid.node(index)] > 0.))
+          if (!inside || !(mass[grid.node(index)] > least_mass))
             continue;
           const double distance =
             (grid.node_position(grid.node(index)) - x).norm_square();
@@ -276,6 +277,7 @@ namespace Waker
   void
   carry_vertices(const BackgroundGrid<dim> &grid,
                  const std::vector<double> &mass,
+                 const double               least_mass,
                  const NodalVector         &increment,
                  std::vector<Point<dim>>   &vertices)
   {
@@ -284,8 +286,8 @@ namespace Waker
       {
         const auto cell = grid.nearest_cell(vertices[k]);
         if (grid.owns_cell(cell))
-          motions[k] =
-            motion_at(grid, cell, vertices[k], mass, increment.begin());
+          motions[k] = motion_at(
+            grid, cell, vertices[k], mass, least_mass, increment.begin());
       }
     if (!motions.empty())
       grid.exchange().sum(&motions[0][0], dim * motions.size());
@@ -309,11 +311,13 @@ namespace Waker
   template void
   carry_vertices<2>(const BackgroundGrid<2> &,
                     const std::vector<double> &,
+                    const double,
                     const NodalVector &,
                     std::vector<Point<2>> &);
   template void
   carry_vertices<3>(const BackgroundGrid<3> &,
                     const std::vector<double> &,
+                    const double,
                     const NodalVector &,
                     std::vector<Point<3>> &);
 } // namespace Waker

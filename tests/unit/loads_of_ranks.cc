@@ -192,8 +192,8 @@ namespace loads_of_ranks
         expected.push_back(k == 0 ? grid.upper_corner() : x);
       }
     std::vector<Point<dim>> found = expected, start = expected;
-    carry_vertices(grid, all_mass, all_increment, expected);
-    carry_vertices(*window, mass, increment, found);
+    carry_vertices(grid, all_mass, 0., all_increment, expected);
+    carry_vertices(*window, mass, 0., increment, found);
     double longest = 0.;
     for (std::size_t k = 0; k < found.size(); ++k)
       {

@@ -268,7 +268,7 @@ namespace loads_riding_load
           nodes.increment.local_element(dim * i + d) = turned(x)[d] - x[d];
       }
     for (auto &list : vertices)
-      carry_vertices(the_case.grid, nodes.mass, nodes.increment, list);
+      carry_vertices(the_case.grid, nodes.mass, 0., nodes.increment, list);
     for (Point<dim> &x : points.position)
       x = turned(x);
     scene.set(points, 0., vertices);
@@ -287,5 +287,38 @@ namespace loads_riding_load
     test_rotation<2>("contour");
     test_rotation<3>("contour");
     test_rotation<2>("user surface");
+  }
+
+
+  /// A domain that reaches a node by a hair gives it hardly any stiffness: what
+  /// such a node does is no motion of the soil.
+  TEST(Loads, what_is_carried_does_not_follow_nodes_with_hardly_any_mass)
+  {
+    const BackgroundGrid<2> grid(Point<2>(),
+                                 Point<2>(4., 4.),
+                                 1.,
+                                 MPI_COMM_SELF);
+    std::vector<double>     mass(grid.n_nodes(), 1.);
+    NodalVector             increment(grid.n_dofs());
+    for (unsigned int i = 0; i < grid.n_nodes(); ++i)
+      {
+        increment.begin()[2 * i] = 0.1;
+        if (grid.node_position(i)[1] > 2.5)
+          {
+            mass[i]                      = 1e-12;
+            increment.begin()[2 * i + 1] = 1e9;
+          }
+      }
+    // By a hair above the nodes at y = 2, and above all that counts.
+    const Point<2> hair(1.3, 2. + 1e-6), above(1.3, 3.2);
+    for (const Point<2> &x : {hair, above})
+      {
+        std::vector<Point<2>> vertices = {x};
+        carry_vertices(grid, mass, 1e-4, increment, vertices);
+        EXPECT_NEAR(vertices[0][0] - x[0], 0.1, 1e-14);
+        EXPECT_EQ(vertices[0][1], x[1]);
+        carry_vertices(grid, mass, 0., increment, vertices);
+        EXPECT_GT(vertices[0][1] - x[1], 900.);
+      }
   }
 } // namespace loads_riding_load

@@ -163,7 +163,7 @@ namespace surface_user_surface
             nodes.increment.begin()[dim * i + d] = u[d];
         }
       for (unsigned int step = 0; step < n_steps; ++step)
-        carry_vertices(g, nodes.mass, nodes.increment, vertices);
+        carry_vertices(g, nodes.mass, 0., nodes.increment, vertices);
     }
   } // namespace
 
@@ -325,7 +325,7 @@ namespace surface_user_surface
           nodes.increment.begin()[2 * i] = 0.1;
         }
     std::vector<Point<2>> x = {{2.75, 2.}, {3.2, 2.}, {3.8, 2.1}, {5.9, 2.}};
-    carry_vertices(g, nodes.mass, nodes.increment, x);
+    carry_vertices(g, nodes.mass, 0., nodes.increment, x);
     EXPECT_NEAR(x[0][0], 2.85, 1e-14);
     EXPECT_NEAR(x[1][0], 3.3, 1e-14);
     EXPECT_NEAR(x[2][0], 3.9, 1e-14);

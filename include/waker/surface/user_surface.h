@@ -59,19 +59,23 @@ namespace Waker
 
   /**
    * Carry vertices with the material: x += sum_i N_i du_i / sum_i N_i over the
-   * nodes with mass of the cell, with linear functions N_i. A vertex in a cell
-   * without material follows the closest node with mass within two cells, and
-   * rests if there is none. On several ranks, which all have all vertices, each
+   * cell's nodes that have more than the least mass, with linear functions N_i.
+   * (A node that a domain reaches by a hair has hardly any stiffness: it goes
+   * metres, as it were, and the domain does not notice.) A vertex in a cell
+   * without such a node follows the closest one within two cells, and rests if
+   * there is none. On several ranks, which all have all vertices, each
    * carries those in its own cells, and tells the others.
    *
    * @param grid or a window that reaches carrying_reach nodes beyond its own
    * @param mass of its nodes (Mg)
+   * @param least_mass Mg
    * @param increment of its nodes in the step just done (m)
    */
   template <int dim>
   void
   carry_vertices(const BackgroundGrid<dim> &grid,
                  const std::vector<double> &mass,
+                 const double               least_mass,
                  const NodalVector         &increment,
                  std::vector<Point<dim>>   &vertices);
 
