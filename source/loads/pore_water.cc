@@ -39,9 +39,9 @@ namespace Waker
       "Daily phreatic line",
       daily_phreatic_line,
       "The line, like that, under which the soil consolidated: it decides on "
-      "daily_vertical_stress, and on nothing else, for strengths that "
-      "follow from stresses (Materials/<name>/Strength from). Empty: the "
-      "same line.",
+      "daily_vertical_stress, for strengths that follow from stresses "
+      "(Materials/<name>/Strength from), and with Initial stress/Daily stage "
+      "on the stress of that stage; on nothing else. Empty: the same line.",
       Patterns::Anything());
     prm.add_parameter("Largest suction",
                       largest_suction,
