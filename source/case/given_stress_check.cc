@@ -5,6 +5,7 @@
 #include <waker/base/places.h>
 #include <waker/base/text.h>
 
+#include <cmath>
 #include <sstream>
 
 namespace Waker
@@ -52,8 +53,8 @@ namespace Waker
             ++n_outside;
             const double excess =
               stress_excess(law, variables, points.stress[p]);
-            // Not a number is the worst.
-            if (!(excess <= largest))
+            // Not a number is the worst, and the first of them stays.
+            if (!std::isnan(largest) && !(excess <= largest))
               {
                 largest = excess;
                 worst   = p;

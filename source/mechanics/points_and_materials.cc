@@ -3,6 +3,7 @@
 #include <waker/mechanics/stress_update.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace Waker
 {
@@ -96,8 +97,9 @@ namespace Waker
   {
     // Further away than this, of the stress, is no round-off.
     constexpr double round_off = 1e-9, least = 1e-9; // -, kPa
-    return stress_excess(law, variables, stress) <=
-           round_off * stress.norm() + least;
+    const double     size = stress.norm();           // squares may overflow
+    return std::isfinite(size) &&
+           stress_excess(law, variables, stress) <= round_off * size + least;
   }
 
 

@@ -55,8 +55,9 @@ namespace Waker
                       "xx; yy; zz; xy and, in 3D, xz; yz, each a number or an "
                       "expression of x, y, z (m), with \";\" between them. It "
                       "needs Gravity/Initial stress = false, and a law that "
-                      "bears it. Empty: none, or "
-                      "that of the gravity step.",
+                      "bears it, with the material's own strength, whatever "
+                      "a random field makes of that. Empty: none, or that of "
+                      "the gravity step.",
                       Patterns::Anything());
   }
 

@@ -349,6 +349,9 @@ namespace case_initial_stress
                    stress,
                    "the worst of " + std::to_string(n_beyond) +
                      " such points of the layer's " + std::to_string(n_points));
+    // No number, and one whose square is none.
+    for (const char *const given : {"0; 0; 0; 1e200", "0; 0; 0; sqrt(-1-y)"})
+      EXPECT_THROW(made("simple_shear.prm", given, no_cohesion), UserError);
     // Clay, in total stress.
     const std::string layer = "Soil profile/layer/Initial stress";
     for (const auto &[shear, is_borne] :
